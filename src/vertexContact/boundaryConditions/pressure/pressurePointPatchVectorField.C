@@ -1,0 +1,71 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+Class
+    Foam::pressureBoundary
+
+Description
+    Follower load on pointU: a pressure on the current surface,
+    t^B = -p |H N| n = -p H N per reference area (Nanson's rule).
+
+Usage
+    \verbatim
+        inside
+        {
+            type     pressure;
+            pressure 2e5;   // [Pa], constant or any Function1 of time
+        }
+    \endverbatim
+
+\*---------------------------------------------------------------------------*/
+
+#include "solidPointPatchField.H"
+#include "timeValue.H"
+
+// * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+class pressureBoundary
+{
+    timeValue<scalar> pressure_;
+
+public:
+
+    static wordList keywords() { return wordList({"pressure"}); }
+
+    pressureBoundary() = default;
+
+    explicit pressureBoundary(const dictionary& dict)
+    :
+        pressure_("pressure", dict)
+    {}
+
+    void write(Ostream& os) const { pressure_.write(os); }
+
+    bool tractionFree() const { return false; }
+
+    bool contact() const { return false; }
+
+    void solve(const scalar time, cornerStates& c) const
+    {
+        const scalar p = pressure_(time);
+        for (label i = 0; i < c.size(); ++i)
+        {
+            c.tB[i] = (-p*c.stretch[i])*c.n[i];
+            c.vB[i] = c.v[i];
+            c.released[i] = true;
+        }
+    }
+};
+
+}
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+makeSolidPointPatchField(pressureBoundary, "pressure")
+
+
+// ************************************************************************* //

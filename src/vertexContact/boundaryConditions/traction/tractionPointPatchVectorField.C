@@ -1,0 +1,71 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+Class
+    Foam::tractionBoundary
+
+Description
+    Dead load on pointU: a prescribed traction per reference area, fixed in
+    direction, t^B = traction(time).
+
+Usage
+    \verbatim
+        end
+        {
+            type     traction;
+            traction (0 -1e5 0);   // [Pa], constant or any Function1 of time
+        }
+    \endverbatim
+
+\*---------------------------------------------------------------------------*/
+
+#include "solidPointPatchField.H"
+#include "timeValue.H"
+
+// * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+class tractionBoundary
+{
+    timeValue<vector> traction_;
+
+public:
+
+    static wordList keywords() { return wordList({"traction"}); }
+
+    tractionBoundary() = default;
+
+    explicit tractionBoundary(const dictionary& dict)
+    :
+        traction_("traction", dict)
+    {}
+
+    void write(Ostream& os) const { traction_.write(os); }
+
+    bool tractionFree() const { return false; }
+
+    bool contact() const { return false; }
+
+    void solve(const scalar time, cornerStates& c) const
+    {
+        const vector t = traction_(time);
+        for (label i = 0; i < c.size(); ++i)
+        {
+            c.tB[i] = t;
+            c.vB[i] = c.v[i];
+            c.released[i] = true;
+        }
+    }
+};
+
+}
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+makeSolidPointPatchField(tractionBoundary, "traction")
+
+
+// ************************************************************************* //

@@ -1,0 +1,69 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "conservedState.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+const Foam::Enum<Foam::kinematicSet>
+Foam::conservedState::kinematicSetNames
+({
+    { kinematicSet::F, "F" },
+    { kinematicSet::FJ, "FJ" },
+    { kinematicSet::FHJ, "FHJ" },
+});
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::conservedState::conservedState
+(
+    const label nNodes,
+    const label nDim,
+    const kinematicSet set,
+    const bool finiteStrain
+)
+:
+    nNodes(nNodes),
+    nDim(nDim),
+    solvesH(finiteStrain && set == kinematicSet::FHJ && nDim > 1),
+    solvesJ(finiteStrain && set != kinematicSet::F),
+    strideH(!finiteStrain ? 0 : nDim == 3 ? 9 : solvesH ? 1 : 0),
+    lm(nNodes*nDim, Zero),
+    disp(nNodes*nDim, Zero),
+    F(nNodes*nDim*nDim, Zero),
+    H(nNodes*strideH, Zero),
+    J(solvesJ ? nNodes : 0, scalar(1))
+{
+    const label dd = nDim*nDim;
+    for (label i = 0; i < nNodes; ++i)
+    {
+        for (label k = 0; k < dd; k += nDim + 1)
+        {
+            F[i*dd + k] = 1;
+        }
+        for (label k = 0; k < strideH; k += 4)
+        {
+            H[i*strideH + k] = 1;
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+std::size_t Foam::conservedState::bytes() const
+{
+    return
+        sizeof(scalar)
+       *std::size_t
+        (
+            lm.size() + disp.size() + F.size() + H.size() + J.size()
+        );
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,40 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "contactLaw.H"
+#include "dictionaryCheck.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    defineTypeNameAndDebug(contactLaw, 0);
+    defineRunTimeSelectionTable(contactLaw, dictionary);
+}
+
+
+// * * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * //
+
+Foam::autoPtr<Foam::contactLaw> Foam::contactLaw::New(const dictionary& dict)
+{
+    const word lawType(dict.get<word>("type"));
+
+    vertexContactLookupConstructor(contactLaw, dictionary, lawType)
+
+    if (!constructorFound)
+    {
+        dictionaryCheck::unknownModel
+        (
+            dict, "type", lawType,
+            dictionaryConstructorTablePtr_->sortedToc()
+        );
+    }
+
+    return constructorPtr(dict);
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,217 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "matching.H"
+#include "solidBody.H"
+#include "globalIndex.H"
+#include "indexedOctree.H"
+#include "treeDataPoint.H"
+#include "ListListOps.H"
+#include "addToRunTimeSelectionTable.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace contactPairings
+{
+    defineTypeNameAndDebug(matching, 0);
+    addToRunTimeSelectionTable(contactPairing, matching, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- All processors' lists, one after the other, on every processor
+template<class T>
+Foam::List<T> gathered(const Foam::List<T>& mine)
+{
+    using namespace Foam;
+
+    List<List<T>> all(Pstream::nProcs());
+    all[Pstream::myProcNo()] = mine;
+    Pstream::gatherList(all);
+    Pstream::scatterList(all);
+    return ListListOps::combine<List<T>>(all, accessOp<List<T>>());
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::vector Foam::contactPairings::matching::areaVector
+(
+    const contactSide& side
+)
+{
+    const dualPatch& patch = side.body->dual().patches()[side.patchi];
+    const label d = side.body->dual().nDim();
+
+    vector sum(Zero);
+    forAll(patch.cornerArea, k)
+    {
+        sum +=
+            patch.cornerArea[k]
+           *side.body->expand(patch.cornerNormal.cdata() + k*d);
+    }
+    reduce(sum, sumOp<vector>());
+    return sum;
+}
+
+
+void Foam::contactPairings::matching::identify
+(
+    const contactSide& side,
+    vectorField& place,
+    scalarField& size
+)
+{
+    const medianDual& dual = side.body->dual();
+    const dualPatch& patch = dual.patches()[side.patchi];
+    const label d = dual.nDim();
+
+    place.setSize(patch.nCorners());
+    size.setSize(patch.nCorners());
+
+    const auto X = [&](const label k)
+    {
+        return side.body->expand
+        (
+            dual.nodePosition().cdata() + patch.cornerNode[k]*d
+        );
+    };
+
+    for (label f = 0; f < patch.nFaces(); ++f)
+    {
+        const label start = patch.faceStart[f], end = patch.faceStart[f + 1];
+        vector centre(Zero);
+        for (label k = start; k < end; ++k) centre += X(k)/(end - start);
+
+        for (label k = start; k < end; ++k)
+        {
+            place[k] = 0.75*X(k) + 0.25*centre;
+            size[k] =
+                end - start > 1
+              ? mag(X(k) - centre)
+              : side.body->depth(side.patchi)[k];
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::contactPairings::matching::matching
+(
+    const dictionary& dict,
+    const contactSide& minus,
+    const contactSide& plus
+)
+{
+    // Direction of the gap
+    const vector Sm = areaVector(minus), Sp = areaVector(plus);
+    vector direction(Zero);
+    if (dict.found("direction"))
+    {
+        direction = dict.get<vector>("direction");
+    }
+    else if (mag(Sm - Sp) > 0.1*(mag(Sm) + mag(Sp)))
+    {
+        direction = Sm/max(mag(Sm), VSMALL) - Sp/max(mag(Sp), VSMALL);
+    }
+    if (mag(direction) < 1e-6)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Keyword 'direction': the mean normals of the sides "
+            << minus.body->name() << ' ' << minus.patchName << " and "
+            << plus.body->name() << ' ' << plus.patchName
+            << " do not oppose each other." << nl
+            << "Give the direction of the gap, from the first side to the "
+            << "second" << exit(FatalIOError);
+    }
+    direction /= mag(direction);
+
+    // Corners of both sides in the plane across the gap
+    vectorField placeMinus, placePlus;
+    scalarField sizeMinus, sizePlus;
+    identify(minus, placeMinus, sizeMinus);
+    identify(plus, placePlus, sizePlus);
+    for (vector& p : placeMinus) p -= (p & direction)*direction;
+    for (vector& p : placePlus) p -= (p & direction)*direction;
+
+    const globalIndex plusIndex(placePlus.size());
+    const pointField allPlus(gathered(placePlus));
+
+    DynamicList<label> corners, partners;
+    if (allPlus.size() && placeMinus.size())
+    {
+        treeBoundBox box(allPlus);
+        const vector margin
+        (
+            vector::one*(1e-3*box.mag() + max(sizeMinus) + SMALL)
+        );
+        box.min() -= margin;
+        box.max() += margin;
+        const indexedOctree<treeDataPoint> tree
+        (
+            treeDataPoint(allPlus), box, 12, 10, 3.0
+        );
+
+        forAll(placeMinus, k)
+        {
+            // Coincidence: within a percent of the size of the face
+            const pointIndexHit hit
+            (
+                tree.findNearest(placeMinus[k], sqr(1e-2*sizeMinus[k]))
+            );
+            if (hit.hit())
+            {
+                corners.append(k);
+                partners.append(hit.index());
+            }
+        }
+    }
+
+    const label nPaired =
+        returnReduce(corners.size(), sumOp<label>());
+    const label nMinus =
+        returnReduce(placeMinus.size(), sumOp<label>());
+
+    Info<< "    matching: " << nPaired << " of " << nMinus << " and "
+        << allPlus.size() << " corners coincide along " << direction
+        << endl;
+
+    if (nPaired == 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Keyword 'pairing': no corner of " << minus.body->name()
+            << ' ' << minus.patchName << " coincides with one of "
+            << plus.body->name() << ' ' << plus.patchName
+            << " when projected along " << direction << '.' << nl
+            << "The two surface meshes do not match: 'pairing matching' "
+            << "needs the same mesh on both sides" << exit(FatalIOError);
+    }
+
+    minusCorner_.transfer(corners);
+    minusShare_.setSize(minusCorner_.size(), scalar(1));
+    plusShare_.setSize(minusCorner_.size(), scalar(1));
+    plusSlot_.transfer(partners);
+
+    if (Pstream::parRun())
+    {
+        // Global corners to slots
+        List<Map<label>> compact;
+        map_.reset(new mapDistribute(plusIndex, plusSlot_, compact));
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,163 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "dictionaryCheck.H"
+#include "dimensionedScalar.H"
+#include <cmath>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+Foam::label editDistance(const std::string& a, const std::string& b)
+{
+    const Foam::label n = b.size();
+    Foam::List<Foam::label> row(n + 1);
+    for (Foam::label j = 0; j <= n; ++j) row[j] = j;
+
+    for (size_t i = 1; i <= a.size(); ++i)
+    {
+        Foam::label diagonal = row[0];
+        row[0] = i;
+        for (Foam::label j = 1; j <= n; ++j)
+        {
+            const Foam::label substituted =
+                diagonal + (a[i-1] == b[j-1] ? 0 : 1);
+            diagonal = row[j];
+            row[j] = std::min({row[j] + 1, row[j-1] + 1, substituted});
+        }
+    }
+
+    return row[n];
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+Foam::word Foam::dictionaryCheck::nearest
+(
+    const word& given,
+    const UList<word>& valid
+)
+{
+    word best;
+    label bestDistance = labelMax;
+    for (const word& w : valid)
+    {
+        const label d = editDistance(given, w);
+        if (d < bestDistance)
+        {
+            bestDistance = d;
+            best = w;
+        }
+    }
+    return best;
+}
+
+
+void Foam::dictionaryCheck::onlyKeywords
+(
+    const dictionary& dict,
+    const UList<word>& valid
+)
+{
+    for (const entry& e : dict)
+    {
+        const keyType& key = e.keyword();
+        if (key == "FoamFile" || valid.found(key))
+        {
+            continue;
+        }
+
+        FatalIOErrorInFunction(dict)
+            << "Unknown keyword '" << key << "'. Did you mean '"
+            << nearest(key, valid) << "'?" << nl
+            << "Valid keywords: " << flatOutput(wordList(valid))
+            << exit(FatalIOError);
+    }
+}
+
+
+Foam::scalar Foam::dictionaryCheck::readNumber
+(
+    const dictionary& dict,
+    const word& keyword,
+    const dimensionSet& dims
+)
+{
+    if (!dict.found(keyword))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Keyword '" << keyword << "' is missing; its unit is " << dims
+            << exit(FatalIOError);
+    }
+
+    // Reads [dimensions] where present and compares them
+    const dimensionedScalar number(keyword, dims, dict);
+
+    if (!std::isfinite(number.value()))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Keyword '" << keyword << "' is " << number.value()
+            << ", which is not a finite number" << exit(FatalIOError);
+    }
+
+    return number.value();
+}
+
+
+Foam::scalar Foam::dictionaryCheck::readNumberOrDefault
+(
+    const dictionary& dict,
+    const word& keyword,
+    const dimensionSet& dims,
+    const scalar deflt
+)
+{
+    return dict.found(keyword) ? readNumber(dict, keyword, dims) : deflt;
+}
+
+
+void Foam::dictionaryCheck::require
+(
+    const bool condition,
+    const dictionary& dict,
+    const word& keyword,
+    const scalar value,
+    const char* rule
+)
+{
+    if (!condition)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Keyword '" << keyword << "' is " << value << ": it must be "
+            << rule << exit(FatalIOError);
+    }
+}
+
+
+void Foam::dictionaryCheck::unknownModel
+(
+    const dictionary& dict,
+    const word& keyword,
+    const word& given,
+    const UList<word>& valid
+)
+{
+    wordList sorted(valid);
+    Foam::sort(sorted);
+
+    FatalIOErrorInFunction(dict)
+        << "Keyword '" << keyword << "': unknown value '" << given
+        << "'. Did you mean '" << nearest(given, sorted) << "'?" << nl
+        << "Valid values: " << flatOutput(sorted) << exit(FatalIOError);
+}
+
+
+// ************************************************************************* //

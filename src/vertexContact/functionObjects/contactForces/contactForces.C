@@ -1,0 +1,110 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "contactForces.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace functionObjects
+{
+    defineTypeNameAndDebug(contactForces, 0);
+    addToRunTimeSelectionTable(functionObject, contactForces, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::functionObjects::contactForces::contactForces
+(
+    const word& name,
+    const Time& runTime,
+    const dictionary& dict
+)
+:
+    solidFunctionObject(name, runTime, dict),
+    files_(solids_.interfaces().size())
+{
+    checkKeywords(dict, wordList());
+
+    forAll(files_, i)
+    {
+        const contactInterface& contact = solids_.interfaces()[i];
+        autoPtr<OFstream> file(openFile(contact.name() + ".dat"));
+
+        if (Pstream::master())
+        {
+            OFstream& os = *file;
+            os  << "# Time[s]";
+            for (const contactSide* side : {&contact.minus(), &contact.plus()})
+            {
+                const string label
+                (
+                    side->body->name() + '.' + side->patchName + ':'
+                );
+                for (const char* c : {"Fx[N]", "Fy[N]", "Fz[N]"})
+                {
+                    os  << ' ' << label.c_str() << c;
+                }
+                for (const char* c : {"Ix[N.s]", "Iy[N.s]", "Iz[N.s]"})
+                {
+                    os  << ' ' << label.c_str() << c;
+                }
+            }
+            os  << " area[m2] peakPressure[Pa] penetration[m]"
+                << " open stick slip" << endl;
+            files_.set(i, file.ptr());
+        }
+    }
+
+    write();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::functionObjects::contactForces::write()
+{
+    forAll(solids_.interfaces(), i)
+    {
+        const contactInterface& contact = solids_.interfaces()[i];
+        const contactInterface::statistics& mine = contact.stageStatistics();
+
+        const vector values[4] =
+        {
+            returnReduce(mine.force, sumOp<vector>()),
+            returnReduce(contact.impulse(), sumOp<vector>()),
+            returnReduce(mine.plusForce, sumOp<vector>()),
+            returnReduce(contact.plusImpulse(), sumOp<vector>())
+        };
+        const scalar area = returnReduce(mine.area, sumOp<scalar>());
+        const scalar peak = returnReduce(mine.peakPressure, maxOp<scalar>());
+        const scalar deepest =
+            returnReduce(mine.penetration, maxOp<scalar>());
+        const label nOpen = returnReduce(mine.nOpen, sumOp<label>());
+        const label nStick = returnReduce(mine.nStick, sumOp<label>());
+        const label nSlip = returnReduce(mine.nSlip, sumOp<label>());
+
+        if (Pstream::master())
+        {
+            OFstream& os = files_[i];
+            os  << runTime_.value();
+            for (const vector& v : values)
+            {
+                os  << ' ' << v.x() << ' ' << v.y() << ' ' << v.z();
+            }
+            os  << ' ' << area << ' ' << peak << ' ' << deepest
+                << ' ' << nOpen << ' ' << nStick << ' ' << nSlip << endl;
+        }
+    }
+
+    return true;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,233 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "pointProbes.H"
+#include "dictionaryCheck.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace functionObjects
+{
+    defineTypeNameAndDebug(pointProbes, 0);
+    addToRunTimeSelectionTable(functionObject, pointProbes, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::List<Foam::scalar> Foam::functionObjects::pointProbes::values
+(
+    const word& field,
+    const label node
+) const
+{
+    const conservedState& s = body_->state();
+    const label d = s.nDim;
+    const auto listOf = [](const auto& v)
+    {
+        List<scalar> components(v.size());
+        forAll(components, c) components[c] = v[c];
+        return components;
+    };
+
+    if (field == "pointU")
+    {
+        return listOf
+        (
+            body_->expand(s.lm.cdata() + node*d)/body_->material().rho()
+        );
+    }
+    if (field == "pointD")
+    {
+        return listOf(body_->expand(s.disp.cdata() + node*d));
+    }
+    if (field == "lm")
+    {
+        return listOf(body_->expand(s.lm.cdata() + node*d));
+    }
+    if (field == "F")
+    {
+        return listOf(body_->deformationGradient(node));
+    }
+    if (field == "J")
+    {
+        return List<scalar>
+        (
+            1, s.solvesJ ? s.J[node] : det(body_->deformationGradient(node))
+        );
+    }
+
+    const symmTensor sigma(body_->CauchyStress(node));
+    if (field == "sigma")
+    {
+        return listOf(sigma);
+    }
+    if (field == "sigmaEq")
+    {
+        return List<scalar>(1, std::sqrt(1.5*magSqr(dev(sigma))));
+    }
+    return List<scalar>(1, -tr(sigma)/3);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::functionObjects::pointProbes::pointProbes
+(
+    const word& name,
+    const Time& runTime,
+    const dictionary& dict
+)
+:
+    solidFunctionObject(name, runTime, dict),
+    body_(nullptr),
+    fields_(dict.get<wordList>("fields"))
+{
+    checkKeywords(dict, wordList({"points", "fields"}));
+
+    // The body
+    wordList regions;
+    for (const solidBody& body : solids_.bodies())
+    {
+        regions.append(body.name());
+    }
+    if (!dict.found("region") && regions.size() > 1)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Keyword 'region' is missing. Regions: "
+            << flatOutput(regions) << exit(FatalIOError);
+    }
+    const word region(dict.getOrDefault<word>("region", regions[0]));
+    const label bodyi = solids_.findBody(region);
+    if (bodyi < 0)
+    {
+        dictionaryCheck::unknownModel(dict, "region", region, regions);
+    }
+    body_ = &solids_.bodies()[bodyi];
+
+    // The fields
+    const wordList valid
+    ({
+        "pointU", "pointD", "lm", "F", "J", "sigma", "sigmaEq",
+        "pressure"
+    });
+    for (const word& field : fields_)
+    {
+        if (!valid.found(field))
+        {
+            dictionaryCheck::unknownModel(dict, "fields", field, valid);
+        }
+    }
+
+    // The nearest node, on the lowest rank that has it
+    const pointField points(dict.get<pointField>("points"));
+    const medianDual& dual = body_->dual();
+    nodes_.setSize(points.size(), -1);
+    forAll(points, i)
+    {
+        const vector p(body_->projected(points[i]));
+        scalar nearest = GREAT;
+        label node = -1;
+        for (label a = 0; a < dual.nNodes(); ++a)
+        {
+            const scalar distance = mag
+            (
+                body_->expand
+                (
+                    dual.nodePosition().cdata() + a*dual.nDim()
+                ) - p
+            );
+            if (distance < nearest)
+            {
+                nearest = distance;
+                node = a;
+            }
+        }
+        const scalar least = returnReduce(nearest, minOp<scalar>());
+        const label rank = returnReduce
+        (
+            nearest <= least ? Pstream::myProcNo() : labelMax,
+            minOp<label>()
+        );
+        if (Pstream::myProcNo() == rank)
+        {
+            nodes_[i] = node;
+        }
+        Info<< "pointProbes " << name << ": point " << points[i]
+            << " is " << least << " m from the nearest node of region "
+            << region << endl;
+    }
+
+    files_.setSize(fields_.size());
+    forAll(fields_, f)
+    {
+        autoPtr<OFstream> file(openFile(fields_[f]));
+        if (Pstream::master())
+        {
+            OFstream& os = *file;
+            forAll(points, i)
+            {
+                os  << "# Probe " << i << ' ' << points[i] << nl;
+            }
+            os  << "# Probe";
+            forAll(points, i) os << ' ' << i;
+            os  << nl << "# Time" << endl;
+            files_.set(f, file.ptr());
+        }
+    }
+
+    write();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::functionObjects::pointProbes::write()
+{
+    forAll(fields_, f)
+    {
+        List<List<scalar>> rows(nodes_.size());
+        forAll(nodes_, i)
+        {
+            if (nodes_[i] >= 0) rows[i] = values(fields_[f], nodes_[i]);
+        }
+        if (Pstream::parRun())
+        {
+            List<List<List<scalar>>> all(Pstream::nProcs());
+            all[Pstream::myProcNo()] = rows;
+            Pstream::gatherList(all);
+            for (const auto& ofRank : all)
+            {
+                forAll(ofRank, i)
+                {
+                    if (ofRank[i].size()) rows[i] = ofRank[i];
+                }
+            }
+        }
+
+        if (Pstream::master())
+        {
+            OFstream& os = files_[f];
+            os  << runTime_.value();
+            for (const List<scalar>& row : rows)
+            {
+                os  << ' ';
+                if (row.size() > 1) os << '(';
+                forAll(row, c) os << (c ? " " : "") << row[c];
+                if (row.size() > 1) os << ')';
+            }
+            os  << endl;
+        }
+    }
+
+    return true;
+}
+
+
+// ************************************************************************* //

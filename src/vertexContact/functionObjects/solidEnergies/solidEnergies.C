@@ -1,0 +1,129 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "solidEnergies.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace functionObjects
+{
+    defineTypeNameAndDebug(solidEnergies, 0);
+    addToRunTimeSelectionTable(functionObject, solidEnergies, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::functionObjects::solidEnergies::solidEnergies
+(
+    const word& name,
+    const Time& runTime,
+    const dictionary& dict
+)
+:
+    solidFunctionObject(name, runTime, dict)
+{
+    checkKeywords(dict, wordList());
+    solids_.accountEnergies();
+
+    energies_ = openFile("energies.dat");
+    momentum_ = openFile("momentum.dat");
+
+    if (Pstream::master())
+    {
+        wordList owners;
+        for (const solidBody& body : solids_.bodies())
+        {
+            owners.append(body.name());
+        }
+        owners.append("total");
+
+        *energies_ << "# Time[s]";
+        *momentum_ << "# Time[s]";
+        for (const word& owner : owners)
+        {
+            const char* const energyNames[] =
+            {
+                "kinetic", "strain", "plasticDissipation",
+                "numericalDissipation", "externalWork", "contactWork",
+                "balance"
+            };
+            for (const char* e : energyNames)
+            {
+                *energies_ << ' ' << owner.c_str() << ':' << e << "[J]";
+            }
+            for (const char* p : {"px", "py", "pz"})
+            {
+                *momentum_ << ' ' << owner.c_str() << ':' << p << "[kg.m/s]";
+            }
+            for (const char* L : {"Lx", "Ly", "Lz"})
+            {
+                *momentum_ << ' ' << owner.c_str() << ':' << L << "[kg.m2/s]";
+            }
+        }
+        *energies_ << endl;
+        *momentum_ << endl;
+    }
+
+    write();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::functionObjects::solidEnergies::write()
+{
+    const List<solidSystem::energies> all(solids_.computeEnergies());
+
+    vector totalP(Zero), totalL(Zero);
+    List<vector> p(solids_.bodies().size()), L(p);
+    forAll(p, i)
+    {
+        p[i] = returnReduce
+        (
+            solids_.bodies()[i].linearMomentum(), sumOp<vector>()
+        );
+        L[i] = returnReduce
+        (
+            solids_.bodies()[i].angularMomentum(), sumOp<vector>()
+        );
+        totalP += p[i];
+        totalL += L[i];
+    }
+    p.append(totalP);
+    L.append(totalL);
+
+    if (Pstream::master())
+    {
+        *energies_ << runTime_.value();
+        for (const auto& e : all)
+        {
+            *energies_
+                << ' ' << e.kinetic << ' ' << e.strain
+                << ' ' << e.plasticDissipation
+                << ' ' << e.numericalDissipation
+                << ' ' << e.externalWork << ' ' << e.contactWork
+                << ' ' << e.balance;
+        }
+        *energies_ << endl;
+
+        *momentum_ << runTime_.value();
+        forAll(p, i)
+        {
+            for (direction c = 0; c < 3; ++c) *momentum_ << ' ' << p[i][c];
+            for (direction c = 0; c < 3; ++c) *momentum_ << ' ' << L[i][c];
+        }
+        *momentum_ << endl;
+    }
+
+    return true;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,106 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "solidFunctionObject.H"
+#include "dictionaryCheck.H"
+#include "Time.H"
+#include "OSspecific.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+Foam::solidSystem& findSolids
+(
+    const Foam::Time& runTime,
+    const Foam::dictionary& dict
+)
+{
+    using namespace Foam;
+
+    if (!runTime.foundObject<solidSystem>("solidSystem"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Function object '" << dict.dictName() << "' of type '"
+            << dict.get<word>("type")
+            << "' works in vertexContactFoam only" << exit(FatalIOError);
+    }
+    return runTime.lookupObjectRef<solidSystem>("solidSystem");
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
+
+Foam::autoPtr<Foam::OFstream>
+Foam::functionObjects::solidFunctionObject::openFile
+(
+    const fileName& file
+) const
+{
+    autoPtr<OFstream> os;
+
+    if (Pstream::master())
+    {
+        const fileName dir
+        (
+            runTime_.globalPath()/"postProcessing"/name()
+           /runTime_.timeName(runTime_.startTime().value())
+        );
+        mkDir(dir);
+        if (isFile(dir/file))
+        {
+            mvBak(dir/file);
+        }
+        os.reset(new OFstream(dir/file));
+        os->precision(16);
+
+        if (!os->good())
+        {
+            FatalErrorInFunction
+                << "Cannot write " << dir/file << exit(FatalError);
+        }
+    }
+
+    return os;
+}
+
+
+void Foam::functionObjects::solidFunctionObject::checkKeywords
+(
+    const dictionary& dict,
+    const wordList& specific
+) const
+{
+    wordList valid
+    ({
+        "type", "libs", "functionObjectLibs", "enabled", "log", "region",
+        "timeStart", "timeEnd", "executeControl", "executeInterval",
+        "writeControl", "writeInterval", "controlMode", "errors", "useNamePrefix"
+    });
+    valid.append(specific);
+    dictionaryCheck::onlyKeywords(dict, valid);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::functionObjects::solidFunctionObject::solidFunctionObject
+(
+    const word& name,
+    const Time& runTime,
+    const dictionary& dict
+)
+:
+    functionObject(name),
+    runTime_(runTime),
+    solids_(findSolids(runTime, dict))
+{}
+
+
+// ************************************************************************* //

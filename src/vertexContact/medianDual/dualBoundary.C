@@ -1,0 +1,437 @@
+/*---------------------------------------------------------------------------*\
+  vertexContact: vertex-centred finite volumes for solids in contact
+-------------------------------------------------------------------------------
+License
+    This file is part of vertexContact, an extension of OpenFOAM.
+
+    vertexContact is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    vertexContact is distributed in the hope that it will be useful, but
+    WITHOUT ANY WARRANTY; without even the implied warranty of MERCHANTABILITY
+    or FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with vertexContact.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "dualBoundary.H"
+#include "emptyPolyPatch.H"
+#include "nativeDual.H"
+#include "polyMesh.H"
+#include "processorPolyPatch.H"
+#include "simplexDecomposition.H"
+#include "solutionNodes.H"
+
+#include <cmath>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- Weights of one face: scalar and vector, over (corner, node)
+class cornerWeights
+{
+public:
+
+    label n;
+    scalar s[4][4];
+    scalar w[4][4][3];
+
+    explicit cornerWeights(const label nCorners)
+    :
+        n(nCorners)
+    {
+        for (label a = 0; a < n; ++a)
+        {
+            for (label j = 0; j < n; ++j)
+            {
+                s[a][j] = w[a][j][0] = w[a][j][1] = w[a][j][2] = 0;
+            }
+        }
+    }
+
+    void add
+    (
+        const label a,
+        const label j,
+        const scalar factor,
+        const scalar area,
+        const scalar* vec,
+        const label nDim
+    )
+    {
+        s[a][j] += factor*area;
+
+        for (label k = 0; k < nDim; ++k)
+        {
+            w[a][j][k] += factor*vec[k];
+        }
+    }
+};
+
+
+//- Magnitude of a vector
+static scalar length(const scalar* v, const label nDim)
+{
+    scalar sum = 0;
+    for (label k = 0; k < nDim; ++k)
+    {
+        sum += v[k]*v[k];
+    }
+
+    return std::sqrt(sum);
+}
+
+
+//- A triangle of a face, with its weights (6 1 1)/8, (60)
+static void addTriangle
+(
+    const label i,
+    const label j,
+    const label k,
+    const scalar* x,
+    const scalar share,
+    cornerWeights& weights
+)
+{
+    const label corners[3] = {i, j, k};
+
+    scalar p[3];
+    scalar q[3];
+    for (label c = 0; c < 3; ++c)
+    {
+        p[c] = x[3*j + c] - x[3*i + c];
+        q[c] = x[3*k + c] - x[3*i + c];
+    }
+
+    const scalar area[3] =
+    {
+        0.5*(p[1]*q[2] - p[2]*q[1]),
+        0.5*(p[2]*q[0] - p[0]*q[2]),
+        0.5*(p[0]*q[1] - p[1]*q[0])
+    };
+
+    const scalar magnitude = length(area, 3);
+
+    for (label a = 0; a < 3; ++a)
+    {
+        for (label b = 0; b < 3; ++b)
+        {
+            const scalar factor = share*(a == b ? 6 : 1)/24.0;
+
+            weights.add(corners[a], corners[b], factor, magnitude, area, 3);
+        }
+    }
+}
+
+
+//- A face in 3D
+static void addFace3D
+(
+    const scalar* x,
+    const label* faceNodes,
+    const simplexDecomposition& decomposition,
+    const bool native,
+    cornerWeights& weights
+)
+{
+    const label n = weights.n;
+
+    if (native)
+    {
+        for (label a = 0; a < n; ++a)
+        {
+            scalar area[3];
+            nativeDual::cornerArea(n, a, x, area);
+            weights.add(a, a, 1, length(area, 3), area, 3);
+        }
+    }
+    else if (n == 3)
+    {
+        addTriangle(0, 1, 2, x, 1, weights);
+    }
+    else
+    {
+        const label diagonal = decomposition.diagonal(faceNodes);
+        const label first = (diagonal == -1 ? 0 : diagonal % 2);
+        const label last = (diagonal == -1 ? 1 : first);
+        const scalar share = (diagonal == -1 ? 0.5 : 1);
+
+        for (label d = first; d <= last; ++d)
+        {
+            addTriangle(d, d + 1, d + 2, x, share, weights);
+            addTriangle(d, d + 2, (d + 3) % 4, x, share, weights);
+        }
+    }
+}
+
+
+//- A face in 2D, an edge from node 0 to node 1 with a right-handed turn
+//  outward: weights (5 1)/6
+static void addFace2D
+(
+    const scalar* x,
+    const scalar handedness,
+    const bool native,
+    cornerWeights& weights
+)
+{
+    const scalar area[2] =
+    {
+        handedness*(x[3] - x[1]),
+        -handedness*(x[2] - x[0])
+    };
+
+    const scalar magnitude = length(area, 2);
+
+    for (label a = 0; a < 2; ++a)
+    {
+        for (label b = 0; b < 2; ++b)
+        {
+            const scalar factor =
+                native ? (a == b ? 0.5 : 0) : (a == b ? 5 : 1)/12.0;
+
+            weights.add(a, b, factor, magnitude, area, 2);
+        }
+    }
+}
+
+
+//- The mesh points of the corners of a face: itself in 3D, in 2D the two in
+//  front, in the sense of the face, in 1D the first
+static label facePoints
+(
+    const polyMesh& mesh,
+    const polyPatch& patch,
+    const face& f,
+    const solutionNodes& nodes,
+    label* points
+)
+{
+    if (nodes.nDim == 3)
+    {
+        forAll(f, fp)
+        {
+            points[fp] = f[fp];
+        }
+
+        return f.size();
+    }
+
+    if (nodes.nDim == 2 && f.size() == 4)
+    {
+        forAll(f, fp)
+        {
+            const label p = f[fp];
+            const label q = f.nextLabel(fp);
+
+            if
+            (
+                nodes.nodePoint[nodes.pointNode[p]] == p
+             && nodes.nodePoint[nodes.pointNode[q]] == q
+             && nodes.pointNode[f.prevLabel(fp)] == nodes.pointNode[p]
+             && nodes.pointNode[p] != nodes.pointNode[q]
+            )
+            {
+                points[0] = p;
+                points[1] = q;
+
+                return 2;
+            }
+        }
+    }
+
+    if (nodes.nDim == 1)
+    {
+        bool isEnd = true;
+        forAll(f, fp)
+        {
+            isEnd = isEnd && nodes.pointNode[f[fp]] == nodes.pointNode[f[0]];
+        }
+
+        if (isEnd)
+        {
+            points[0] = nodes.nodePoint[nodes.pointNode[f[0]]];
+
+            return 1;
+        }
+    }
+
+    FatalErrorInFunction
+        << "Region " << mesh.name() << ": a face of patch " << patch.name()
+        << " at " << f.centre(mesh.points()) << nl
+        << "    lies in the plane that empty patches take out of this "
+        << nodes.nDim << "D mesh: the patch should be empty."
+        << exit(FatalError);
+
+    return 0;
+}
+
+
+//- The corners of a patch
+static void calculatePatch
+(
+    const polyMesh& mesh,
+    const polyPatch& patch,
+    const solutionNodes& nodes,
+    const scalarField& x,
+    const simplexDecomposition& decomposition,
+    const bool native,
+    dualPatch& result
+)
+{
+    const label nDim = nodes.nDim;
+    const label nFaces = patch.size();
+
+    result.faceStart.setSize(nFaces + 1);
+    result.weightStart.setSize(nFaces + 1);
+    result.facePatchFace.setSize(nFaces);
+
+    label nCorners = 0;
+    label nWeights = 0;
+
+    for (label facei = 0; facei < nFaces; ++facei)
+    {
+        const label n = (nDim == 3 ? patch[facei].size() : nDim);
+
+        result.faceStart[facei] = nCorners;
+        result.weightStart[facei] = nWeights;
+        result.facePatchFace[facei] = facei;
+
+        nCorners += n;
+        nWeights += n*n;
+    }
+
+    result.faceStart[nFaces] = nCorners;
+    result.weightStart[nFaces] = nWeights;
+
+    result.cornerNode.setSize(nCorners);
+    result.cornerPoint.setSize(nCorners);
+    result.cornerArea.setSize(nCorners);
+    result.cornerNormal.setSize(nCorners*nDim);
+    result.weights.setSize(nWeights);
+    result.weightVectors.setSize(nWeights*nDim);
+
+    for (label facei = 0; facei < nFaces; ++facei)
+    {
+        const face& f = patch[facei];
+
+        label points[4];
+        label faceNodes[4];
+        scalar faceX[12];
+
+        const label n = facePoints(mesh, patch, f, nodes, points);
+
+        for (label a = 0; a < n; ++a)
+        {
+            faceNodes[a] = nodes.pointNode[points[a]];
+
+            for (label k = 0; k < nDim; ++k)
+            {
+                faceX[a*nDim + k] = x[faceNodes[a]*nDim + k];
+            }
+        }
+
+        cornerWeights weights(n);
+
+        if (nDim == 3)
+        {
+            addFace3D(faceX, faceNodes, decomposition, native, weights);
+        }
+        else if (nDim == 2)
+        {
+            addFace2D(faceX, nodes.handedness, native, weights);
+        }
+        else
+        {
+            const vector outward = f.areaNormal(mesh.points());
+            const scalar area = (outward[nodes.directions[0]] < 0 ? -1 : 1);
+
+            weights.add(0, 0, 1, 1, &area, 1);
+        }
+
+        for (label a = 0; a < n; ++a)
+        {
+            const label corneri = result.faceStart[facei] + a;
+
+            scalar area = 0;
+            scalar normal[3] = {0, 0, 0};
+
+            for (label j = 0; j < n; ++j)
+            {
+                const label weighti = result.weightStart[facei] + a*n + j;
+
+                area += weights.s[a][j];
+                result.weights[weighti] = weights.s[a][j];
+
+                for (label k = 0; k < nDim; ++k)
+                {
+                    normal[k] += weights.w[a][j][k];
+                    result.weightVectors[weighti*nDim + k] =
+                        weights.w[a][j][k];
+                }
+            }
+
+            const scalar magnitude = max(length(normal, nDim), VSMALL);
+
+            result.cornerNode[corneri] = faceNodes[a];
+            result.cornerPoint[corneri] = points[a];
+            result.cornerArea[corneri] = area;
+
+            for (label k = 0; k < nDim; ++k)
+            {
+                result.cornerNormal[corneri*nDim + k] = normal[k]/magnitude;
+            }
+        }
+    }
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+void Foam::dualBoundary::calculate
+(
+    const polyMesh& mesh,
+    const solutionNodes& nodes,
+    const scalarField& x,
+    const simplexDecomposition& decomposition,
+    const bool native,
+    PtrList<dualPatch>& patches
+)
+{
+    patches.setSize(mesh.boundaryMesh().size());
+
+    forAll(mesh.boundaryMesh(), patchi)
+    {
+        const polyPatch& patch = mesh.boundaryMesh()[patchi];
+
+        patches.set(patchi, new dualPatch());
+        patches[patchi].patchIndex = patchi;
+        patches[patchi].name = patch.name();
+
+        if (!isA<emptyPolyPatch>(patch) && !isA<processorPolyPatch>(patch))
+        {
+            calculatePatch
+            (
+                mesh,
+                patch,
+                nodes,
+                x,
+                decomposition,
+                native,
+                patches[patchi]
+            );
+        }
+    }
+}
+
+
+// ************************************************************************* //

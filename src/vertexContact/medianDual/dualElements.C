@@ -1,0 +1,402 @@
+/*---------------------------------------------------------------------------*\
+  vertexContact: vertex-centred finite volumes for solids in contact
+-------------------------------------------------------------------------------
+License
+    This file is part of vertexContact, an extension of OpenFOAM.
+
+    vertexContact is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    vertexContact is distributed in the hope that it will be useful, but
+    WITHOUT ANY WARRANTY; without even the implied warranty of MERCHANTABILITY
+    or FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with vertexContact.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "dualElements.H"
+#include "polyMesh.H"
+#include "solutionNodes.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+bool Foam::dualElements::add3D
+(
+    const label celli,
+    const UList<labelList>& faces
+)
+{
+    label nTri = 0;
+    label nQuad = 0;
+
+    forAll(faces, facei)
+    {
+        nTri += (faces[facei].size() == 3);
+        nQuad += (faces[facei].size() == 4);
+    }
+
+    if (nTri + nQuad != faces.size())
+    {
+        return false;
+    }
+
+    elementTopology::kind kind = elementTopology::nKinds;
+    label baseSize = 3;
+
+    if (nTri == 4 && nQuad == 0)
+    {
+        kind = elementTopology::tetrahedron;
+    }
+    else if (nTri == 4 && nQuad == 1)
+    {
+        kind = elementTopology::pyramid;
+        baseSize = 4;
+    }
+    else if (nTri == 2 && nQuad == 3)
+    {
+        kind = elementTopology::prism;
+    }
+    else if (nTri == 0 && nQuad == 6)
+    {
+        kind = elementTopology::hexahedron;
+        baseSize = 4;
+    }
+    else
+    {
+        return false;
+    }
+
+    label basei = 0;
+    while (faces[basei].size() != baseSize)
+    {
+        ++basei;
+    }
+
+    // The base inwards, and what is above each of its edges: every other face
+    // that has this edge has it in the sense of the inward base
+    label v[8];
+    label upper[4][2];
+    for (label i = 0; i < baseSize; ++i)
+    {
+        v[i] = faces[basei][baseSize - 1 - i];
+    }
+
+    for (label i = 0; i < baseSize; ++i)
+    {
+        const label p = v[i];
+        const label q = v[(i + 1) % baseSize];
+        bool found = false;
+
+        forAll(faces, facei)
+        {
+            const labelList& f = faces[facei];
+
+            forAll(f, fp)
+            {
+                if (f[fp] == p && f[f.fcIndex(fp)] == q)
+                {
+                    if (found)
+                    {
+                        return false;
+                    }
+                    found = true;
+
+                    upper[i][0] = f[f.rcIndex(fp)];
+                    upper[i][1] = f[f.fcIndex(f.fcIndex(fp))];
+                }
+            }
+        }
+
+        if (!found)
+        {
+            return false;
+        }
+    }
+
+    // Both sides have to agree on what is above a vertex
+    for (label i = 0; i < baseSize; ++i)
+    {
+        const label previous = (i + baseSize - 1) % baseSize;
+
+        if (upper[i][0] != upper[previous][1])
+        {
+            return false;
+        }
+    }
+
+    const elementTopology& topology = elementTopology::of(kind);
+
+    if (topology.nVertices == baseSize + 1)
+    {
+        v[baseSize] = upper[0][0];
+
+        for (label i = 1; i < baseSize; ++i)
+        {
+            if (upper[i][0] != v[baseSize])
+            {
+                return false;
+            }
+        }
+    }
+    else
+    {
+        for (label i = 0; i < baseSize; ++i)
+        {
+            v[baseSize + i] = upper[i][0];
+        }
+    }
+
+    for (label i = 0; i < topology.nVertices; ++i)
+    {
+        for (label j = 0; j < i; ++j)
+        {
+            if (v[i] == v[j])
+            {
+                return false;
+            }
+        }
+    }
+
+    kinds_[celli] = kind;
+    for (label i = 0; i < topology.nVertices; ++i)
+    {
+        vertices_.append(v[i]);
+    }
+
+    return true;
+}
+
+
+bool Foam::dualElements::add2D
+(
+    const label celli,
+    const UList<labelList>& faces,
+    const solutionNodes& nodes
+)
+{
+    label basei = -1;
+    label nBases = 0;
+
+    forAll(faces, facei)
+    {
+        const labelList& f = faces[facei];
+        label nLow = 0;
+
+        forAll(f, fp)
+        {
+            nLow += (nodes.nodePoint[nodes.pointNode[f[fp]]] == f[fp]);
+        }
+
+        if (nLow == f.size())
+        {
+            basei = facei;
+            ++nBases;
+        }
+        else if (nLow != 0 && (nLow != 2 || f.size() != 4))
+        {
+            return false;
+        }
+    }
+
+    if (nBases != 1)
+    {
+        return false;
+    }
+
+    const labelList& base = faces[basei];
+    const label n = base.size();
+
+    if (faces.size() != n + 2 || (n != 3 && n != 4))
+    {
+        return false;
+    }
+
+    kinds_[celli] =
+    (
+        n == 3 ? elementTopology::triangle : elementTopology::quadrilateral
+    );
+
+    // The base looks against the empty direction
+    const bool reverse = (nodes.handedness > 0);
+
+    for (label i = 0; i < n; ++i)
+    {
+        vertices_.append(nodes.pointNode[base[reverse ? n - 1 - i : i]]);
+    }
+
+    return true;
+}
+
+
+bool Foam::dualElements::add1D
+(
+    const polyMesh& mesh,
+    const label celli,
+    const UList<labelList>& faces,
+    const solutionNodes& nodes
+)
+{
+    label end[2] = {-1, -1};
+    label endFace = -1;
+    label nEnds = 0;
+
+    forAll(faces, facei)
+    {
+        const labelList& f = faces[facei];
+        const label node = nodes.pointNode[f[0]];
+        bool isEnd = (f.size() == 4);
+
+        for (label fp = 1; isEnd && fp < f.size(); ++fp)
+        {
+            isEnd = (nodes.pointNode[f[fp]] == node);
+        }
+
+        if (isEnd)
+        {
+            if (nEnds == 2)
+            {
+                return false;
+            }
+            end[nEnds++] = node;
+            endFace = facei;
+        }
+    }
+
+    if (nEnds != 2 || end[0] == end[1] || faces.size() != 6)
+    {
+        return false;
+    }
+
+    // The second end is the one that looks in positive direction
+    const vector outward = face(faces[endFace]).areaNormal(mesh.points());
+
+    if (outward[nodes.directions[0]] < 0)
+    {
+        Swap(end[0], end[1]);
+    }
+
+    kinds_[celli] = elementTopology::segment;
+    vertices_.append(end[0]);
+    vertices_.append(end[1]);
+
+    return true;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::dualElements::dualElements
+(
+    const polyMesh& mesh,
+    const solutionNodes& nodes
+)
+:
+    kinds_(mesh.nCells()),
+    start_(mesh.nCells() + 1),
+    vertices_(mesh.nCells()*(nodes.nDim == 3 ? 8 : 2*nodes.nDim))
+{
+    // Not mesh.cells(), which stays in memory
+    const faceList& faces = mesh.faces();
+    const labelList& owner = mesh.faceOwner();
+    const labelList& neighbour = mesh.faceNeighbour();
+
+    labelList faceStart(mesh.nCells() + 1, Zero);
+    forAll(owner, facei)
+    {
+        ++faceStart[owner[facei] + 1];
+    }
+    forAll(neighbour, facei)
+    {
+        ++faceStart[neighbour[facei] + 1];
+    }
+    for (label celli = 0; celli < mesh.nCells(); ++celli)
+    {
+        faceStart[celli + 1] += faceStart[celli];
+    }
+
+    labelList cellFaces(faceStart[mesh.nCells()]);
+    labelList fill(faceStart);
+    forAll(owner, facei)
+    {
+        cellFaces[fill[owner[facei]]++] = facei;
+
+        if (facei < neighbour.size())
+        {
+            cellFaces[fill[neighbour[facei]]++] = facei;
+        }
+    }
+
+    List<labelList> outward;
+
+    for (label celli = 0; celli < mesh.nCells(); ++celli)
+    {
+        start_[celli] = vertices_.size();
+
+        outward.setSize(faceStart[celli + 1] - faceStart[celli]);
+
+        forAll(outward, i)
+        {
+            const label facei = cellFaces[faceStart[celli] + i];
+            const face& f = faces[facei];
+            const bool reverse = (owner[facei] != celli);
+
+            outward[i].setSize(f.size());
+            forAll(f, fp)
+            {
+                outward[i][fp] = f[reverse ? f.size() - 1 - fp : fp];
+            }
+        }
+
+        const bool known =
+        (
+            nodes.nDim == 3 ? add3D(celli, outward)
+          : nodes.nDim == 2 ? add2D(celli, outward, nodes)
+          : add1D(mesh, celli, outward, nodes)
+        );
+
+        if (!known)
+        {
+            FatalErrorInFunction
+                << "Region " << mesh.name() << ": cell " << celli << " at "
+                << mesh.cellCentres()[celli] << ", with " << outward.size()
+                << " faces, is no "
+                <<
+                (
+                    nodes.nDim == 3
+                  ? "tetrahedron, pyramid, prism or hexahedron"
+                  : nodes.nDim == 2
+                  ? "triangle or quadrilateral one cell thick"
+                  : "segment (a hexahedron between its two neighbours)"
+                )
+                << '.' << nl
+                << "    General polyhedra, degenerate hexahedra (wedges), and"
+                << " cells that are refined on one side only" << nl
+                << "    cannot be decomposed into simplices without new"
+                << " vertices."
+                << exit(FatalError);
+        }
+    }
+
+    start_[mesh.nCells()] = vertices_.size();
+
+    // In 3D points are nodes
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::dualElements::renumber(const labelUList& newNode)
+{
+    for (label& node : vertices_)
+    {
+        node = newNode[node];
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,423 @@
+/*---------------------------------------------------------------------------*\
+  vertexContact: vertex-centred finite volumes for solids in contact
+-------------------------------------------------------------------------------
+License
+    This file is part of vertexContact, an extension of OpenFOAM.
+
+    vertexContact is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    vertexContact is distributed in the hope that it will be useful, but
+    WITHOUT ANY WARRANTY; without even the implied warranty of MERCHANTABILITY
+    or FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with vertexContact.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "medianDual.H"
+#include "dualBoundary.H"
+#include "dualElements.H"
+#include "nativeDual.H"
+#include "nodeGraph.H"
+#include "polyMesh.H"
+#include "sharedEdges.H"
+#include "simplexDecomposition.H"
+#include "solutionNodes.H"
+
+#include <cmath>
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+const Foam::Enum<Foam::medianDual::cellTreatment>
+Foam::medianDual::cellTreatmentNames
+({
+    { cellTreatment::simplicial, "simplicial" },
+    { cellTreatment::simplicialSingle, "simplicialSingle" },
+    { cellTreatment::native, "native" }
+});
+
+
+// * * * * * * * * * * * * * * * * Local Data  * * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    // Edges with less than this part of the faces of their dual cells carry
+    // nothing but round-off, and have no normal
+    static const scalar noArea = 1e-14;
+
+    // The mesh's own order is kept unless the mean distance of neighbours gets
+    // shorter than this part of it: at equal distance a structured order
+    // streams better
+    static const scalar worthRenumbering = 0.9;
+
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- Neighbours by the edges of all elements
+static nodeGraph elementGraph
+(
+    const label nNodes,
+    const dualElements& elements,
+    const simplexDecomposition& decomposition,
+    const bool native
+)
+{
+    return nodeGraph
+    (
+        nNodes,
+        [&](const auto& edge)
+        {
+            for (label elementi = 0; elementi < elements.size(); ++elementi)
+            {
+                const elementTopology& topology = elements.topology(elementi);
+                const label* nodes = elements.nodes(elementi);
+
+                std::uint64_t rest =
+                    native
+                  ? topology.edges
+                  : decomposition.edges(topology, nodes);
+
+                for (; rest; rest &= rest - 1)
+                {
+                    const label pair = elementDual::firstPair(rest);
+                    edge(nodes[pair/8], nodes[pair%8]);
+                }
+            }
+        }
+    );
+}
+
+
+//- Add up the volumes of nodes and the area vectors of edges, on this rank.
+//  Fatal if elements are inverted
+static void addElements
+(
+    const polyMesh& mesh,
+    const label nDim,
+    const dualElements& elements,
+    const simplexDecomposition& decomposition,
+    const bool native,
+    const nodeGraph& graph,
+    const scalarField& x,
+    scalarField& volume,
+    scalarField& area
+)
+{
+    label firstInverted = -1;
+    label nInverted = 0;
+
+    elementDual dual;
+
+    for (label elementi = 0; elementi < elements.size(); ++elementi)
+    {
+        const elementTopology& topology = elements.topology(elementi);
+        const label* nodes = elements.nodes(elementi);
+
+        // Positions relative to the first vertex, for the sake of round-off
+        // far from the origin
+        scalar elementX[24];
+        for (label i = 0; i < topology.nVertices; ++i)
+        {
+            for (label k = 0; k < nDim; ++k)
+            {
+                elementX[i*nDim + k] =
+                    x[nodes[i]*nDim + k] - x[nodes[0]*nDim + k];
+            }
+        }
+
+        if (!decomposition.calculate(topology, nodes, elementX, dual))
+        {
+            if (!nInverted++)
+            {
+                firstInverted = elementi;
+            }
+            continue;
+        }
+
+        if (native)
+        {
+            nativeDual::calculate(topology, elementX, dual);
+        }
+
+        for (label i = 0; i < topology.nVertices; ++i)
+        {
+            volume[nodes[i]] += dual.volume[i];
+        }
+
+        for (std::uint64_t rest = dual.edges; rest; rest &= rest - 1)
+        {
+            const label pair = elementDual::firstPair(rest);
+            const label a = nodes[pair/8];
+            const label b = nodes[pair%8];
+            const scalar* c = dual.area[pair];
+
+            if (a < b)
+            {
+                scalar* sum = area.data() + graph.find(a, b)*nDim;
+                for (label k = 0; k < nDim; ++k)
+                {
+                    sum[k] += c[k];
+                }
+            }
+            else
+            {
+                scalar* sum = area.data() + graph.find(b, a)*nDim;
+                for (label k = 0; k < nDim; ++k)
+                {
+                    sum[k] -= c[k];
+                }
+            }
+        }
+    }
+
+    if (nInverted)
+    {
+        FatalErrorInFunction
+            << "Region " << mesh.name() << ": cell " << firstInverted
+            << " at " << mesh.cellCentres()[firstInverted]
+            << " is inverted or has no volume";
+
+        if (nInverted > 1)
+        {
+            FatalError<< ", as are " << nInverted - 1 << " others";
+        }
+
+        FatalError
+            << ":" << nl
+            << "    it has no split into simplices with positive volumes"
+            <<
+            (
+                decomposition.single()
+              ? " towards its first vertex (cells simplicial has more splits)"
+              : ""
+            )
+            << ". checkMesh may tell more."
+            << exit(FatalError);
+    }
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::medianDual::medianDual(const polyMesh& mesh, const cellTreatment cells)
+:
+    mesh_(mesh),
+    cells_(cells),
+    nDim_(0),
+    directions_(label(-1)),
+    thickness_(1)
+{
+    const bool native = (cells == cellTreatment::native);
+
+    solutionNodes nodes(mesh);
+
+    nDim_ = nodes.nDim;
+    directions_ = nodes.directions;
+    thickness_ = nodes.thickness;
+
+    nodes.positions(mesh, nodePosition_);
+
+    dualElements elements(mesh, nodes);
+
+    simplexDecomposition decomposition
+    (
+        cells == cellTreatment::simplicialSingle,
+        nDim_,
+        nodePosition_,
+        elements,
+        mesh.comm()
+    );
+
+    nodeGraph graph
+    (
+        elementGraph(nodes.size(), elements, decomposition, native)
+    );
+
+    {
+        // Levels by the edges of the mesh are smaller than by diagonals, too
+        const labelList newNode
+        (
+            elementGraph(nodes.size(), elements, decomposition, true)
+           .bandCompression()
+        );
+
+        labelList own(nodes.size());
+        forAll(own, node)
+        {
+            own[node] = node;
+        }
+
+        if (graph.span(newNode) < worthRenumbering*graph.span(own))
+        {
+            graph.renumber(newNode);
+            decomposition.renumber(newNode);
+            elements.renumber(newNode);
+            nodes.renumber(newNode);
+            nodes.positions(mesh, nodePosition_);
+        }
+    }
+
+    nodeVolume_.setSize(nodes.size(), Zero);
+    scalarField area(graph.nEdges()*nDim_, Zero);
+
+    addElements
+    (
+        mesh,
+        nDim_,
+        elements,
+        decomposition,
+        native,
+        graph,
+        nodePosition_,
+        nodeVolume_,
+        area
+    );
+
+    sharing_.reset
+    (
+        new nodeSharing(mesh, nodes.pointNode, nodes.size())
+    );
+
+    sharing_->sum(nodeVolume_.data(), 1);
+
+    forAll(nodeVolume_, node)
+    {
+        if (!(nodeVolume_[node] > 0))
+        {
+            FatalErrorInFunction
+                << "Region " << mesh.name() << ": point "
+                << nodes.nodePoint[node] << " at "
+                << mesh.points()[nodes.nodePoint[node]]
+                << " has a dual cell of volume " << nodeVolume_[node] << '.'
+                << nl
+                << "    Either no cell uses it, or the cells around it are"
+                << " badly distorted."
+                << exit(FatalError);
+        }
+    }
+
+    // Keep the edges of this rank that carry anything
+    bitSet kept(sharedEdges::merge(sharing(), graph, nDim_, area));
+    label nKept = 0;
+
+    for (label a = 0; a < graph.nNodes(); ++a)
+    {
+        const label end = graph.start()[a + 1];
+
+        for (label edgei = graph.start()[a]; edgei < end; ++edgei)
+        {
+            const scalar volume =
+                min(nodeVolume_[a], nodeVolume_[graph.upper()[edgei]]);
+            const scalar scale = std::pow(volume, (nDim_ - 1.0)/nDim_);
+
+            scalar magnitude = 0;
+            for (label k = 0; k < nDim_; ++k)
+            {
+                magnitude = max(magnitude, mag(area[edgei*nDim_ + k]));
+            }
+
+            if (magnitude <= noArea*scale)
+            {
+                kept.unset(edgei);
+            }
+
+            nKept += kept.test(edgei);
+        }
+    }
+
+    edgeNodes_.setSize(2*nKept);
+    edgeArea_.setSize(nDim_*nKept);
+    nKept = 0;
+
+    for (label a = 0; a < graph.nNodes(); ++a)
+    {
+        const label end = graph.start()[a + 1];
+
+        for (label edgei = graph.start()[a]; edgei < end; ++edgei)
+        {
+            if (kept.test(edgei))
+            {
+                edgeNodes_[2*nKept] = a;
+                edgeNodes_[2*nKept + 1] = graph.upper()[edgei];
+
+                for (label k = 0; k < nDim_; ++k)
+                {
+                    edgeArea_[nKept*nDim_ + k] = area[edgei*nDim_ + k];
+                }
+
+                ++nKept;
+            }
+        }
+    }
+
+    dualBoundary::calculate
+    (
+        mesh,
+        nodes,
+        nodePosition_,
+        decomposition,
+        native,
+        patches_
+    );
+
+    pointNode_.transfer(nodes.pointNode);
+    nodePoint_.transfer(nodes.nodePoint);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+std::size_t Foam::medianDual::bytes() const
+{
+    std::size_t total =
+        sizeof(label)
+       *(
+            std::size_t(pointNode_.size())
+          + nodePoint_.size()
+          + edgeNodes_.size()
+        )
+      + sizeof(scalar)
+       *(
+            std::size_t(nodePosition_.size())
+          + nodeVolume_.size()
+          + edgeArea_.size()
+        )
+      + sharing_->bytes();
+
+    for (const dualPatch& patch : patches_)
+    {
+        total += patch.bytes();
+    }
+
+    return total;
+}
+
+
+void Foam::medianDual::report(Ostream& os) const
+{
+    // Not labels: bytes exceed them
+    scalar nodes = sharing_->owned().count();
+    scalar edges = nEdges();
+    scalar memory = bytes();
+
+    reduce(nodes, sumOp<scalar>(), UPstream::msgType(), mesh_.comm());
+    reduce(edges, sumOp<scalar>(), UPstream::msgType(), mesh_.comm());
+    reduce(memory, sumOp<scalar>(), UPstream::msgType(), mesh_.comm());
+
+    os  << "    dual mesh: " << nDim_ << "D, cells "
+        << cellTreatmentNames[cells_] << ", "
+        << std::int64_t(nodes) << " nodes, "
+        << std::int64_t(edges) << " edges, "
+        << std::int64_t(memory/max(nodes, scalar(1)) + 0.5)
+        << " bytes per node" << endl;
+}
+
+
+// ************************************************************************* //

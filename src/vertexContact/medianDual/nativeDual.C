@@ -1,0 +1,184 @@
+/*---------------------------------------------------------------------------*\
+  vertexContact: vertex-centred finite volumes for solids in contact
+-------------------------------------------------------------------------------
+License
+    This file is part of vertexContact, an extension of OpenFOAM.
+
+    vertexContact is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    vertexContact is distributed in the hope that it will be useful, but
+    WITHOUT ANY WARRANTY; without even the implied warranty of MERCHANTABILITY
+    or FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with vertexContact.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "nativeDual.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- Half the cross product
+static inline void halfCross(const scalar* p, const scalar* q, scalar* r)
+{
+    r[0] = 0.5*(p[1]*q[2] - p[2]*q[1]);
+    r[1] = 0.5*(p[2]*q[0] - p[0]*q[2]);
+    r[2] = 0.5*(p[0]*q[1] - p[1]*q[0]);
+}
+
+
+//- A part c of the area vector from vertex p to vertex q of an element, and
+//  the volumes below it: cones (triangles) with the two vertices as apexes
+static inline void addPart
+(
+    const label p,
+    const label q,
+    const scalar* c,
+    const scalar* x,
+    const label nDim,
+    elementDual& dual
+)
+{
+    dual.add(p, q, c, nDim, 1);
+
+    scalar volume = 0;
+    for (label k = 0; k < nDim; ++k)
+    {
+        volume += c[k]*(x[q*nDim + k] - x[p*nDim + k]);
+    }
+
+    // The middle of the edge is half-way to both
+    volume /= 2*nDim;
+    dual.volume[p] += volume;
+    dual.volume[q] += volume;
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+void Foam::nativeDual::calculate
+(
+    const elementTopology& topology,
+    const scalar* x,
+    elementDual& dual
+)
+{
+    const label nDim = topology.nDim;
+    const label n = topology.nVertices;
+
+    dual.reset(topology.edges);
+
+    scalar centre[3] = {0, 0, 0};
+    for (label i = 0; i < n; ++i)
+    {
+        for (label k = 0; k < nDim; ++k)
+        {
+            centre[k] += x[i*nDim + k]/n;
+        }
+    }
+
+    if (nDim == 1)
+    {
+        const scalar c = 1;
+        addPart(0, 1, &c, x, nDim, dual);
+    }
+    else if (nDim == 2)
+    {
+        for (label p = 0; p < n; ++p)
+        {
+            const label q = (p + 1) % n;
+
+            // From the middle of the edge to the centre, turned clockwise
+            const scalar c[2] =
+            {
+                centre[1] - 0.5*(x[2*p + 1] + x[2*q + 1]),
+                0.5*(x[2*p] + x[2*q]) - centre[0]
+            };
+
+            addPart(p, q, c, x, nDim, dual);
+        }
+    }
+    else
+    {
+        for (const elementTopology::vertices& f : topology.faces)
+        {
+            const label size = elementTopology::faceSize(f);
+
+            scalar faceCentre[3] = {0, 0, 0};
+            for (label i = 0; i < size; ++i)
+            {
+                for (label k = 0; k < 3; ++k)
+                {
+                    faceCentre[k] += x[3*f[i] + k]/size;
+                }
+            }
+
+            for (label i = 0; i < size; ++i)
+            {
+                const label p = f[i];
+                const label q = f[(i + 1) % size];
+
+                // The triangle middle, face centre, centre: the face is
+                // outward, so its edge has the element to the left
+                scalar toFace[3];
+                scalar toCentre[3];
+                for (label k = 0; k < 3; ++k)
+                {
+                    const scalar middle = 0.5*(x[3*p + k] + x[3*q + k]);
+
+                    toFace[k] = faceCentre[k] - middle;
+                    toCentre[k] = centre[k] - middle;
+                }
+
+                scalar c[3];
+                halfCross(toCentre, toFace, c);
+
+                addPart(p, q, c, x, nDim, dual);
+            }
+        }
+    }
+}
+
+
+void Foam::nativeDual::cornerArea
+(
+    const label n,
+    const label corner,
+    const scalar* x,
+    scalar* area
+)
+{
+    const scalar* p = x + 3*corner;
+    const scalar* next = x + 3*((corner + 1) % n);
+    const scalar* previous = x + 3*((corner + n - 1) % n);
+
+    // Vertex, middle, centre, middle: half the product of the diagonals
+    scalar toCentre[3];
+    scalar across[3];
+
+    for (label k = 0; k < 3; ++k)
+    {
+        toCentre[k] = -p[k];
+        for (label i = 0; i < n; ++i)
+        {
+            toCentre[k] += x[3*i + k]/n;
+        }
+
+        across[k] = 0.5*(previous[k] - next[k]);
+    }
+
+    halfCross(toCentre, across, area);
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,477 @@
+/*---------------------------------------------------------------------------*\
+  vertexContact: vertex-centred finite volumes for solids in contact
+-------------------------------------------------------------------------------
+License
+    This file is part of vertexContact, an extension of OpenFOAM.
+
+    vertexContact is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    vertexContact is distributed in the hope that it will be useful, but
+    WITHOUT ANY WARRANTY; without even the implied warranty of MERCHANTABILITY
+    or FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with vertexContact.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "nodeSharing.H"
+#include "globalIndex.H"
+#include "globalMeshData.H"
+#include "mapDistribute.H"
+#include "polyMesh.H"
+#include "UIPstream.H"
+#include "UOPstream.H"
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+// Operations with the value that leaves the other one as it is
+
+struct nodalSum
+{
+    static constexpr scalar neutral = 0;
+
+    void operator()(scalar& x, const scalar y) const
+    {
+        x += y;
+    }
+};
+
+
+struct nodalMin
+{
+    static constexpr scalar neutral = std::numeric_limits<scalar>::infinity();
+
+    void operator()(scalar& x, const scalar y) const
+    {
+        x = (y < x ? y : x);
+    }
+};
+
+
+struct nodalMax
+{
+    static constexpr scalar neutral = -std::numeric_limits<scalar>::infinity();
+
+    void operator()(scalar& x, const scalar y) const
+    {
+        x = (y > x ? y : x);
+    }
+};
+
+
+//- Union of two sets of ranks
+struct uniteRanks
+{
+    void operator()(labelList& x, const labelUList& y) const
+    {
+        for (const label rank : y)
+        {
+            if (std::find(x.begin(), x.end(), rank) == x.end())
+            {
+                x.append(rank);
+            }
+        }
+    }
+};
+
+
+struct lowestId
+{
+    void operator()(label& x, const label y) const
+    {
+        x = (y < x ? y : x);
+    }
+};
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<class CombineOp>
+void Foam::nodeSharing::combine
+(
+    const nodalArray* arrays,
+    const label nArrays,
+    const CombineOp& cop
+) const
+{
+    if (!active())
+    {
+        return;
+    }
+
+    // Values of a node, in all arrays
+    label width = 0;
+    for (label i = 0; i < nArrays; ++i)
+    {
+        width += arrays[i].second;
+    }
+
+    std::size_t nValues = 0;
+    for (const labelList& shared : sharedWith_)
+    {
+        nValues += std::size_t(shared.size())*width;
+    }
+
+    // Not initialised: everything is written before it is read
+    std::unique_ptr<scalar[]> sent(new scalar[nValues]);
+    std::unique_ptr<scalar[]> received(new scalar[nValues]);
+    std::unique_ptr<scalar[]> own
+    (
+        new scalar[std::size_t(sharedNodes_.size())*width]
+    );
+
+    {
+        scalar* value = own.get();
+
+        for (const label node : sharedNodes_)
+        {
+            for (label i = 0; i < nArrays; ++i)
+            {
+                const label stride = arrays[i].second;
+                const scalar* data =
+                    arrays[i].first + std::size_t(node)*stride;
+
+                for (label k = 0; k < stride; ++k)
+                {
+                    *value++ = data[k];
+                }
+            }
+        }
+    }
+
+    const label startOfRequests = UPstream::nRequests();
+
+    std::size_t offset = 0;
+    forAll(neighbours_, neighbouri)
+    {
+        const std::size_t n =
+            std::size_t(sharedWith_[neighbouri].size())*width;
+
+        UIPstream::read
+        (
+            UPstream::commsTypes::nonBlocking,
+            neighbours_[neighbouri],
+            reinterpret_cast<char*>(received.get() + offset),
+            n*sizeof(scalar),
+            UPstream::msgType(),
+            comm_
+        );
+
+        offset += n;
+    }
+
+    offset = 0;
+    forAll(neighbours_, neighbouri)
+    {
+        const labelList& shared = sharedWith_[neighbouri];
+
+        scalar* message = sent.get() + offset;
+        for (const label i : shared)
+        {
+            const scalar* value = own.get() + std::size_t(i)*width;
+            for (label k = 0; k < width; ++k)
+            {
+                *message++ = value[k];
+            }
+        }
+
+        const std::size_t n = std::size_t(shared.size())*width;
+
+        UOPstream::write
+        (
+            UPstream::commsTypes::nonBlocking,
+            neighbours_[neighbouri],
+            reinterpret_cast<const char*>(sent.get() + offset),
+            n*sizeof(scalar),
+            UPstream::msgType(),
+            comm_
+        );
+
+        offset += n;
+    }
+
+    UPstream::waitRequests(startOfRequests);
+
+    // Ascending ranks, on all sides
+    const std::size_t nOwn = std::size_t(sharedNodes_.size())*width;
+    std::unique_ptr<scalar[]> total(new scalar[nOwn]);
+    std::fill(total.get(), total.get() + nOwn, CombineOp::neutral);
+
+    const scalar* message = received.get();
+
+    for (label place = 0; place <= neighbours_.size(); ++place)
+    {
+        if (place == myPlace_)
+        {
+            for (std::size_t i = 0; i < nOwn; ++i)
+            {
+                cop(total[i], own[i]);
+            }
+        }
+
+        if (place < neighbours_.size())
+        {
+            for (const label i : sharedWith_[place])
+            {
+                scalar* value = total.get() + std::size_t(i)*width;
+                for (label k = 0; k < width; ++k)
+                {
+                    cop(value[k], *message++);
+                }
+            }
+        }
+    }
+
+    const scalar* value = total.get();
+
+    for (const label node : sharedNodes_)
+    {
+        for (label i = 0; i < nArrays; ++i)
+        {
+            const label stride = arrays[i].second;
+            scalar* data = arrays[i].first + std::size_t(node)*stride;
+
+            for (label k = 0; k < stride; ++k)
+            {
+                data[k] = *value++;
+            }
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::nodeSharing::nodeSharing
+(
+    const polyMesh& mesh,
+    const labelUList& pointNode,
+    const label nNodes
+)
+:
+    comm_(mesh.comm()),
+    myPlace_(0),
+    neighbours_(),
+    sharedNodes_(),
+    sharedWith_(),
+    owned_(nNodes, true),
+    globalNode_(nNodes)
+{
+    forAll(globalNode_, node)
+    {
+        globalNode_[node] = node;
+    }
+
+    if (!UPstream::parRun())
+    {
+        return;
+    }
+
+    const label myRank = UPstream::myProcNo(comm_);
+
+    // Points on processor faces: the ranks that have them, and the lowest of
+    // their ids, which is that of the lowest rank
+    const globalIndex numbering(nNodes);
+    const globalMeshData& globalData = mesh.globalData();
+    const labelList& coupledPoints = globalData.coupledPatch().meshPoints();
+
+    labelListList ranks(coupledPoints.size(), labelList(1, myRank));
+    labelList id(coupledPoints.size());
+
+    forAll(coupledPoints, i)
+    {
+        id[i] = numbering.toGlobal(pointNode[coupledPoints[i]]);
+    }
+
+    globalMeshData::syncData
+    (
+        ranks,
+        globalData.globalPointSlaves(),
+        globalData.globalPointTransformedSlaves(),
+        globalData.globalPointSlavesMap(),
+        uniteRanks()
+    );
+
+    globalMeshData::syncData
+    (
+        id,
+        globalData.globalPointSlaves(),
+        globalData.globalPointTransformedSlaves(),
+        globalData.globalPointSlavesMap(),
+        lowestId()
+    );
+
+    // From points to nodes. Each rank that has one point of a node has all
+    // of them, as meshes with empty directions are one cell thick
+    forAll(globalNode_, node)
+    {
+        globalNode_[node] = numbering.toGlobal(node);
+    }
+
+    labelListList nodeRanks(nNodes);
+
+    forAll(coupledPoints, i)
+    {
+        const label node = pointNode[coupledPoints[i]];
+
+        uniteRanks()(nodeRanks[node], ranks[i]);
+        lowestId()(globalNode_[node], id[i]);
+    }
+
+    label nShared = 0;
+    labelList nSharedWith(UPstream::nProcs(comm_), Zero);
+
+    forAll(nodeRanks, node)
+    {
+        if (nodeRanks[node].size() > 1)
+        {
+            ++nShared;
+
+            for (const label rank : nodeRanks[node])
+            {
+                ++nSharedWith[rank];
+
+                if (rank < myRank)
+                {
+                    owned_.unset(node);
+                }
+            }
+        }
+    }
+
+    // Neighbours and their places among each other
+    labelList place(nSharedWith.size(), label(-1));
+    label nNeighbours = 0;
+
+    forAll(nSharedWith, rank)
+    {
+        if (rank == myRank)
+        {
+            myPlace_ = nNeighbours;
+        }
+        else if (nSharedWith[rank])
+        {
+            place[rank] = nNeighbours++;
+        }
+    }
+
+    neighbours_.setSize(nNeighbours);
+    sharedWith_.setSize(nNeighbours);
+
+    forAll(place, rank)
+    {
+        if (place[rank] != -1)
+        {
+            neighbours_[place[rank]] = rank;
+            sharedWith_[place[rank]].setSize(nSharedWith[rank]);
+        }
+    }
+
+    sharedNodes_.setSize(nShared);
+    labelList fill(nNeighbours, Zero);
+    nShared = 0;
+
+    forAll(nodeRanks, node)
+    {
+        if (nodeRanks[node].size() > 1)
+        {
+            for (const label rank : nodeRanks[node])
+            {
+                if (rank != myRank)
+                {
+                    const label placei = place[rank];
+                    sharedWith_[placei][fill[placei]++] = nShared;
+                }
+            }
+
+            sharedNodes_[nShared++] = node;
+        }
+    }
+
+    for (labelList& shared : sharedWith_)
+    {
+        std::sort
+        (
+            shared.begin(),
+            shared.end(),
+            [this](const label i, const label j)
+            {
+                return
+                    globalNode_[sharedNodes_[i]]
+                  < globalNode_[sharedNodes_[j]];
+            }
+        );
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+std::size_t Foam::nodeSharing::bytes() const
+{
+    std::size_t nLabels =
+        neighbours_.size() + sharedNodes_.size() + globalNode_.size();
+
+    for (const labelList& shared : sharedWith_)
+    {
+        nLabels += shared.size();
+    }
+
+    return nLabels*sizeof(label) + owned_.size()/8;
+}
+
+
+void Foam::nodeSharing::sum(scalar* data, const label stride) const
+{
+    const nodalArray array(data, stride);
+    combine(&array, 1, nodalSum());
+}
+
+
+void Foam::nodeSharing::min(scalar* data, const label stride) const
+{
+    const nodalArray array(data, stride);
+    combine(&array, 1, nodalMin());
+}
+
+
+void Foam::nodeSharing::max(scalar* data, const label stride) const
+{
+    const nodalArray array(data, stride);
+    combine(&array, 1, nodalMax());
+}
+
+
+void Foam::nodeSharing::sum(std::initializer_list<nodalArray> arrays) const
+{
+    combine(arrays.begin(), label(arrays.size()), nodalSum());
+}
+
+
+void Foam::nodeSharing::min(std::initializer_list<nodalArray> arrays) const
+{
+    combine(arrays.begin(), label(arrays.size()), nodalMin());
+}
+
+
+void Foam::nodeSharing::max(std::initializer_list<nodalArray> arrays) const
+{
+    combine(arrays.begin(), label(arrays.size()), nodalMax());
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,183 @@
+/*---------------------------------------------------------------------------*\
+  vertexContact: vertex-centred finite volumes for solids in contact
+-------------------------------------------------------------------------------
+License
+    This file is part of vertexContact, an extension of OpenFOAM.
+
+    vertexContact is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    vertexContact is distributed in the hope that it will be useful, but
+    WITHOUT ANY WARRANTY; without even the implied warranty of MERCHANTABILITY
+    or FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with vertexContact.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "sharedEdges.H"
+#include "DynamicList.H"
+#include "nodeGraph.H"
+#include "nodeSharing.H"
+#include "PstreamBuffers.H"
+#include "UIPstream.H"
+#include "UOPstream.H"
+
+#include <algorithm>
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+Foam::bitSet Foam::sharedEdges::merge
+(
+    const nodeSharing& sharing,
+    const nodeGraph& graph,
+    const label nDim,
+    scalarField& area
+)
+{
+    bitSet kept(graph.nEdges(), true);
+
+    if (!UPstream::parRun())
+    {
+        return kept;
+    }
+
+    const labelList& sharedNodes = sharing.sharedNodes();
+    const labelList& globalNode = sharing.globalNode();
+    const labelList& neighbours = sharing.neighbours();
+    const label myRank = UPstream::myProcNo(sharing.comm());
+
+    // Neighbours (their numbers, ascending) of each shared node
+    labelList sharedIndex(graph.nNodes(), label(-1));
+    forAll(sharedNodes, i)
+    {
+        sharedIndex[sharedNodes[i]] = i;
+    }
+
+    List<DynamicList<label, 4>> nodeNeighbours(sharedNodes.size());
+    forAll(neighbours, neighbouri)
+    {
+        for (const label i : sharing.sharedWith()[neighbouri])
+        {
+            nodeNeighbours[i].append(neighbouri);
+        }
+    }
+
+    // Send every edge to all ranks that have both of its nodes: any of them
+    // may have a part of it. From the lower to the higher global node
+    List<DynamicList<label>> ends(neighbours.size());
+    List<DynamicList<scalar>> vectors(neighbours.size());
+
+    for (const label a : sharedNodes)
+    {
+        const label end = graph.start()[a + 1];
+
+        for (label edgei = graph.start()[a]; edgei < end; ++edgei)
+        {
+            const label b = graph.upper()[edgei];
+
+            if (sharedIndex[b] == -1)
+            {
+                continue;
+            }
+
+            const bool forward = globalNode[a] < globalNode[b];
+            const DynamicList<label, 4>& ofB = nodeNeighbours[sharedIndex[b]];
+
+            for (const label neighbouri : nodeNeighbours[sharedIndex[a]])
+            {
+                if (std::find(ofB.begin(), ofB.end(), neighbouri) == ofB.end())
+                {
+                    continue;
+                }
+
+                ends[neighbouri].append(globalNode[forward ? a : b]);
+                ends[neighbouri].append(globalNode[forward ? b : a]);
+
+                for (label k = 0; k < nDim; ++k)
+                {
+                    const scalar c = area[edgei*nDim + k];
+                    vectors[neighbouri].append(forward ? c : -c);
+                }
+            }
+        }
+    }
+
+    PstreamBuffers buffers
+    (
+        UPstream::commsTypes::nonBlocking,
+        UPstream::msgType(),
+        sharing.comm()
+    );
+
+    forAll(neighbours, neighbouri)
+    {
+        UOPstream toNeighbour(neighbours[neighbouri], buffers);
+
+        toNeighbour
+            << static_cast<const UList<label>&>(ends[neighbouri])
+            << static_cast<const UList<scalar>&>(vectors[neighbouri]);
+    }
+
+    buffers.finishedSends();
+
+    // Neighbours are in ascending order. The own part comes first where it
+    // matters, on the lowest rank
+    forAll(neighbours, neighbouri)
+    {
+        UIPstream fromNeighbour(neighbours[neighbouri], buffers);
+
+        const labelList receivedEnds(fromNeighbour);
+        const List<scalar> received(fromNeighbour);
+
+        const labelList& shared = sharing.sharedWith()[neighbouri];
+
+        auto localNode = [&](const label id)
+        {
+            const label* found = std::lower_bound
+            (
+                shared.begin(),
+                shared.end(),
+                id,
+                [&](const label i, const label value)
+                {
+                    return globalNode[sharedNodes[i]] < value;
+                }
+            );
+
+            return sharedNodes[*found];
+        };
+
+        for (label i = 0; i < receivedEnds.size()/2; ++i)
+        {
+            const label a = localNode(receivedEnds[2*i]);
+            const label b = localNode(receivedEnds[2*i + 1]);
+            const label edgei = (a < b ? graph.find(a, b) : graph.find(b, a));
+
+            if (edgei == -1)
+            {
+                continue;
+            }
+
+            if (neighbours[neighbouri] < myRank)
+            {
+                kept.unset(edgei);
+            }
+
+            for (label k = 0; k < nDim; ++k)
+            {
+                const scalar c = received[i*nDim + k];
+                area[edgei*nDim + k] += (a < b ? c : -c);
+            }
+        }
+    }
+
+    return kept;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,70 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "schemeOptions.H"
+#include "dictionaryCheck.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+const Foam::Enum<Foam::reconstructionType>
+Foam::schemeOptions::reconstructionNames
+({
+    { reconstructionType::none, "none" },
+    { reconstructionType::linear, "linear" },
+    { reconstructionType::full, "full" },
+});
+
+const Foam::Enum<Foam::limiterType>
+Foam::schemeOptions::limiterNames
+({
+    { limiterType::none, "none" },
+    { limiterType::BarthJespersen, "BarthJespersen" },
+    { limiterType::Venkatakrishnan, "Venkatakrishnan" },
+});
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::schemeOptions::schemeOptions(const dictionary& fvSchemes)
+{
+    if (!fvSchemes.found("vertexCentred"))
+    {
+        return;
+    }
+
+    using namespace dictionaryCheck;
+
+    const dictionary& dict = fvSchemes.subDict("vertexCentred");
+    onlyKeywords
+    (
+        dict,
+        wordList
+        ({
+            "cells", "reconstruction", "limiter", "kinematics", "jacobian"
+        })
+    );
+
+    cells = readEnum(medianDual::cellTreatmentNames, dict, "cells", cells);
+    reconstruction =
+        readEnum(reconstructionNames, dict, "reconstruction", reconstruction);
+    limiter = readEnum(limiterNames, dict, "limiter", limiter);
+    kinematics = readEnum
+    (
+        conservedState::kinematicSetNames, dict, "kinematics", kinematics
+    );
+    jacobian = readEnum
+    (
+        materialModel::jacobianFormNames, dict, "jacobian", jacobian
+    );
+
+    if (reconstruction == reconstructionType::none)
+    {
+        limiter = limiterType::none;
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,700 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "solidBody.H"
+#include "Time.H"
+#include "emptyPolyPatch.H"
+#include "processorPolyPatch.H"
+#include "symmetryPolyPatch.H"
+#include "symmetryPlanePolyPatch.H"
+#include "slipPointPatchField.H"
+#include "solidBoundaryCondition.H"
+#include "dictionaryCheck.H"
+#include "pointPatchFields.H"
+#include "IOdictionary.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+IOobject solidIO
+(
+    const char* name,
+    const fileName& instance,
+    const objectRegistry& db,
+    const IOobject::readOption r
+)
+{
+    return IOobject(name, instance, db, r, IOobject::NO_WRITE, false);
+}
+
+schemeOptions readOptions(const polyMesh& mesh)
+{
+    return schemeOptions
+    (
+        IOdictionary
+        (
+            solidIO
+            (
+                "fvSchemes", mesh.time().system(), mesh,
+                IOobject::READ_IF_PRESENT
+            )
+        )
+    );
+}
+
+autoPtr<materialModel> readMaterial
+(
+    const polyMesh& mesh,
+    const schemeOptions& options
+)
+{
+    const IOdictionary dict
+    (
+        solidIO
+        (
+            "mechanicalProperties", mesh.time().constant(), mesh,
+            IOobject::MUST_READ
+        )
+    );
+    return materialModel::New(dict, options.jacobian);
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::labelList Foam::solidBody::findMirrors
+(
+    const polyMesh& mesh,
+    const pointVectorField& pointU
+)
+{
+    DynamicList<label> mirrors;
+    for (const polyPatch& pp : mesh.boundaryMesh())
+    {
+        if
+        (
+            isA<symmetryPolyPatch>(pp)
+         || isA<symmetryPlanePolyPatch>(pp)
+         || isA<slipPointPatchField<vector>>
+            (
+                pointU.boundaryField()[pp.index()]
+            )
+        )
+        {
+            mirrors.append(pp.index());
+        }
+    }
+    return labelList(mirrors);
+}
+
+
+const Foam::solidBoundaryCondition& Foam::solidBody::condition
+(
+    const label patchi
+) const
+{
+    const auto& pf = pointU_.boundaryField()[patchi];
+
+    const auto* bc = dynamic_cast<const solidBoundaryCondition*>(&pf);
+
+    if (!bc)
+    {
+        FatalErrorInFunction
+            << "File " << pointU_.objectPath() << ": patch '"
+            << pf.patch().name() << "' has the boundary condition '"
+            << pf.type() << "', which is not one of a solid." << nl
+            << "Valid conditions: (contact fixedVelocity pressure slip "
+            << "symmetryPlane traction tractionFree)" << exit(FatalError);
+    }
+
+    return *bc;
+}
+
+
+void Foam::solidBody::makeCorners()
+{
+    const label d = dual_.nDim();
+
+    for (const polyPatch& pp : mesh_.boundaryMesh())
+    {
+        const label patchi = pp.index();
+        if
+        (
+            isA<emptyPolyPatch>(pp)
+         || isA<processorPolyPatch>(pp)
+         || mirrorPatches_.found(patchi)
+        )
+        {
+            continue;
+        }
+
+        const solidBoundaryCondition& bc = condition(patchi);
+        hasContact_ = hasContact_ || bc.contact();
+
+        // A free surface needs states only where its stress is relaxed
+        if
+        (
+            bc.tractionFree()
+         && options_.reconstruction != reconstructionType::full
+        )
+        {
+            continue;
+        }
+
+        const dualPatch& patch = dual_.patches()[patchi];
+        corners_.set
+        (
+            patchi,
+            new cornerStates
+            (
+                patch,
+                material_->rho()*material_->cp(),
+                material_->rho()*material_->cs()
+            )
+        );
+
+        // Area vector of the patch at each node: volume over area is half
+        // the thickness of the boundary cell
+        scalarField area(dual_.nNodes()*d, Zero);
+        forAll(patch.cornerNode, k)
+        {
+            for (label i = 0; i < d; ++i)
+            {
+                area[patch.cornerNode[k]*d + i] +=
+                    patch.cornerArea[k]*patch.cornerNormal[k*d + i];
+            }
+        }
+        dual_.sharing().sum(area.data(), d);
+
+        scalarField& depth = depth_[patchi];
+        depth.setSize(patch.nCorners());
+        forAll(patch.cornerNode, k)
+        {
+            const label a = patch.cornerNode[k];
+            scalar along = 0;
+            for (label i = 0; i < d; ++i)
+            {
+                along += area[a*d + i]*patch.cornerNormal[k*d + i];
+            }
+            depth[k] =
+                2*dual_.nodeVolume()[a]/max(along, patch.cornerArea[k]);
+        }
+    }
+
+    if (hasContact_)
+    {
+        const label n = dual_.nNodes();
+        contact_.status.setSize(n, Zero);
+        contact_.gap.setSize(n, GREAT);
+        contact_.force.setSize(n, vector::zero);
+        contact_.area.setSize(n, Zero);
+    }
+}
+
+
+void Foam::solidBody::syncRates()
+{
+    const nodeSharing& sharing = dual_.sharing();
+    const label d = dual_.nDim();
+    const bool full = options_.reconstruction == reconstructionType::full;
+
+    if (full && data_.nSJ)
+    {
+        sharing.sum
+        ({
+            {data_.rateLm.data(), d}, {data_.waveSum.data(), 1},
+            {data_.rateF.data(), d*d}, {data_.rateJ.data(), 1}
+        });
+    }
+    else if (full)
+    {
+        sharing.sum
+        ({
+            {data_.rateLm.data(), d}, {data_.waveSum.data(), 1},
+            {data_.rateF.data(), d*d}
+        });
+    }
+    else if (data_.nSJ)
+    {
+        sharing.sum
+        ({
+            {data_.rateLm.data(), d}, {data_.waveSum.data(), 1},
+            {data_.rateJ.data(), 1}
+        });
+    }
+    else
+    {
+        sharing.sum({{data_.rateLm.data(), d}, {data_.waveSum.data(), 1}});
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::solidBody::solidBody(const Time& runTime, const word& region)
+:
+    time_(runTime),
+    name_(region),
+    mesh_
+    (
+        IOobject(region, runTime.timeName(), runTime, IOobject::MUST_READ)
+    ),
+    options_(readOptions(mesh_)),
+    dual_(mesh_, options_.cells),
+    material_(readMaterial(mesh_, options_)),
+    pointU_
+    (
+        IOobject
+        (
+            "pointU", runTime.timeName(), mesh_,
+            IOobject::MUST_READ, IOobject::NO_WRITE
+        ),
+        pointMesh::New(mesh_)
+    ),
+    data_
+    (
+        dual_, options_.kinematics, material_->finiteStrain(),
+        options_.reconstruction, options_.limiter,
+        material_->rho(), material_->cp(), material_->cs()
+    ),
+    kernel_(vertexKernel::New(data_)),
+    mirrorPatches_(findMirrors(mesh_, pointU_)),
+    symmetry_(dual_, mirrorPatches_),
+    corners_(mesh_.boundaryMesh().size()),
+    depth_(mesh_.boundaryMesh().size()),
+    boundaryArea_(dual_.nNodes(), Zero),
+    gravity_(dual_.nDim(), Zero)
+{
+    // Boundary areas, too, belong to the surface of a dual cell; those of
+    // mirrors lie inside the whole body
+    for (const dualPatch& patch : dual_.patches())
+    {
+        if (!mirrorPatches_.found(patch.patchIndex))
+        {
+            forAll(patch.cornerNode, k)
+            {
+                boundaryArea_[patch.cornerNode[k]] += patch.cornerArea[k];
+            }
+        }
+    }
+    dual_.sharing().sum(boundaryArea_.data(), 1);
+
+    makeCorners();
+    readState();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::label Foam::solidBody::contactPatch
+(
+    const dictionary& dict,
+    const word& keyword,
+    const word& patch
+) const
+{
+    const label patchi = mesh_.boundaryMesh().findPatchID(patch);
+
+    if (patchi < 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Keyword '" << keyword << "': region '" << name_
+            << "' has no patch '" << patch << "'." << nl
+            << "Its patches: " << flatOutput(mesh_.boundaryMesh().names())
+            << exit(FatalIOError);
+    }
+
+    const auto& pf = pointU_.boundaryField()[patchi];
+    const auto* bc = dynamic_cast<const solidBoundaryCondition*>(&pf);
+    if (!bc || !bc->contact())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Keyword '" << keyword << "': patch '" << patch
+            << "' of region '" << name_ << "' has the boundary condition '"
+            << pf.type() << "' in " << pointU_.objectPath()
+            << ": it must be 'contact'" << exit(FatalIOError);
+    }
+
+    return patchi;
+}
+
+
+Foam::vector Foam::solidBody::expand(const scalar* components) const
+{
+    vector v(Zero);
+    for (label i = 0; i < dual_.nDim(); ++i)
+    {
+        v[dual_.directions()[i]] = components[i];
+    }
+    return v;
+}
+
+
+Foam::point Foam::solidBody::position(const label node) const
+{
+    return
+        mesh_.points()[dual_.nodePoint()[node]]
+      + expand(data_.state.disp.cdata() + node*dual_.nDim());
+}
+
+
+Foam::vector Foam::solidBody::projected(const point& p) const
+{
+    vector v(Zero);
+    for (label i = 0; i < dual_.nDim(); ++i)
+    {
+        v[dual_.directions()[i]] = p[dual_.directions()[i]];
+    }
+    return v;
+}
+
+
+Foam::tensor Foam::solidBody::deformationGradient(const label node) const
+{
+    const label d = dual_.nDim();
+    const FixedList<label, 3>& dir = dual_.directions();
+
+    tensor F(tensor::I);
+    for (label i = 0; i < d; ++i)
+    {
+        for (label j = 0; j < d; ++j)
+        {
+            F[3*dir[i] + dir[j]] = data_.state.F[(node*d + i)*d + j];
+        }
+    }
+    return F;
+}
+
+
+Foam::symmTensor Foam::solidBody::CauchyStress(const label node) const
+{
+    // Solution directions first, then those that are left out
+    FixedList<label, 3> dir(dual_.directions());
+    label next = dual_.nDim();
+    for (label c = 0; c < 3; ++c)
+    {
+        bool used = false;
+        for (label i = 0; i < dual_.nDim(); ++i)
+        {
+            used = used || dir[i] == c;
+        }
+        if (!used) dir[next++] = c;
+    }
+
+    const tensor local(material_->CauchyStress(data_.state, node));
+    tensor sigma(Zero);
+    for (label i = 0; i < 3; ++i)
+    {
+        for (label j = 0; j < 3; ++j)
+        {
+            sigma[3*dir[i] + dir[j]] = local[3*i + j];
+        }
+    }
+
+    // J sigma = P F^T is symmetric up to the drift of H and J
+    return symm(sigma);
+}
+
+
+void Foam::solidBody::setGravity(const vector& g)
+{
+    for (label i = 0; i < dual_.nDim(); ++i)
+    {
+        gravity_[i] = g[dual_.directions()[i]];
+    }
+}
+
+
+void Foam::solidBody::prepare(const scalar time)
+{
+    kernel_->velocities(data_);
+    material_->stress
+    (
+        data_.state,
+        data_.W.data() + data_.offsetP(),
+        data_.nSJ ? data_.W.data() + data_.nDim() : nullptr,
+        data_.nW
+    );
+
+    forAll(corners_, patchi)
+    {
+        if (corners_.set(patchi))
+        {
+            cornerStates& c = corners_[patchi];
+            kernel_->corners(data_, c);
+            condition(patchi).solve(time, c);
+        }
+    }
+
+    if (hasContact_)
+    {
+        contact_.force = vector::zero;
+        contact_.area = Zero;
+        contact_.gap = GREAT;
+    }
+}
+
+
+void Foam::solidBody::computeRates(const bool energy)
+{
+    const label d = dual_.nDim();
+    const nodeSharing& sharing = dual_.sharing();
+    const bool reconstructed =
+        options_.reconstruction != reconstructionType::none;
+    const bool full = options_.reconstruction == reconstructionType::full;
+    const bool limited =
+        reconstructed && options_.limiter != limiterType::none;
+
+    const auto states = [&](const label patchi)
+    {
+        return corners_.set(patchi) ? &corners_[patchi] : nullptr;
+    };
+
+    // Pass A: gradients
+    kernel_->gradients(data_);
+    for (const dualPatch& patch : dual_.patches())
+    {
+        if (patch.nFaces() && !mirrorPatches_.found(patch.patchIndex))
+        {
+            kernel_->addBoundaryGradients
+            (
+                data_, patch, states(patch.patchIndex)
+            );
+        }
+    }
+    scalarField& gradient = reconstructed ? data_.grad : data_.rateF;
+    const label stride = reconstructed ? data_.nR*d : d*d;
+    sharing.sum(gradient.data(), stride);
+    if (limited)
+    {
+        sharing.min(data_.lo.data(), data_.nR);
+        sharing.max(data_.hi.data(), data_.nR);
+    }
+
+    // Pass B: limiter
+    if (symmetry_.active())
+    {
+        symmetry_.symmetrise(gradient.data(), stride, 2);
+        if (reconstructed && data_.nSJ)
+        {
+            symmetry_.symmetrise(gradient.data() + d*d, stride, 1);
+        }
+        if (full)
+        {
+            symmetry_.symmetrise
+            (
+                gradient.data() + data_.offsetP()*d, stride, 3
+            );
+        }
+    }
+    kernel_->scaleGradients(data_);
+    if (full)
+    {
+        forAll(corners_, patchi)
+        {
+            if (corners_.set(patchi))
+            {
+                kernel_->relaxFree(data_, depth_[patchi], corners_[patchi]);
+            }
+        }
+    }
+    if (limited)
+    {
+        kernel_->limit(data_);
+        sharing.min(data_.phi.data(), data_.nR);
+        kernel_->applyLimiter(data_);
+    }
+
+    // Pass C: fluxes
+    data_.numericalDissipation = 0;
+    powers_ = powers();
+    kernel_->fluxes(data_, energy);
+    for (const dualPatch& patch : dual_.patches())
+    {
+        const label patchi = patch.patchIndex;
+        if (patch.nFaces() && !mirrorPatches_.found(patchi))
+        {
+            const scalar power = kernel_->addBoundaryFluxes
+            (
+                data_, patch, states(patchi), energy
+            );
+            (condition(patchi).contact() ? powers_.contact : powers_.external)
+                += power;
+        }
+    }
+    powers_.numericalDissipation = data_.numericalDissipation;
+    syncRates();
+    kernel_->scaleRates(data_);
+
+    // Body force
+    const scalar* v = data_.W.cdata();
+    for (label i = 0; i < d; ++i)
+    {
+        if (gravity_[i] != 0)
+        {
+            const scalar f = data_.rho*gravity_[i];
+            for (label a = 0; a < dual_.nNodes(); ++a)
+            {
+                data_.rateLm[a*d + i] += f;
+                if (energy && sharing.owned()[a])
+                {
+                    powers_.external +=
+                        dual_.nodeVolume()[a]*f*v[a*data_.nW + i];
+                }
+            }
+        }
+    }
+
+    if (symmetry_.active())
+    {
+        symmetry_.project(data_.rateLm);
+        if (full)
+        {
+            symmetry_.symmetrise(data_.rateF.data(), d*d, 2);
+        }
+    }
+}
+
+
+Foam::scalar Foam::solidBody::timeScale()
+{
+    if (waveSumIsConstant_)
+    {
+        return constantTimeScale_;
+    }
+
+    const scalar* V = dual_.nodeVolume().cdata();
+    scalar shortest = GREAT;
+    for (label a = 0; a < dual_.nNodes(); ++a)
+    {
+        shortest = min
+        (
+            shortest,
+            2*V[a]/(data_.cp*(data_.waveSum[a] + boundaryArea_[a]))
+        );
+    }
+
+    waveSumIsConstant_ = !data_.finiteStrain;
+    constantTimeScale_ = shortest;
+
+    return shortest;
+}
+
+
+Foam::label Foam::solidBody::advance(const scalar deltaT, const int stage)
+{
+    return kernel_->advance(data_, deltaT, stage);
+}
+
+
+void Foam::solidBody::restoreOld()
+{
+    data_.state = data_.old;
+}
+
+
+Foam::label Foam::solidBody::findBadNode() const
+{
+    const label d = dual_.nDim();
+    for (label a = 0; a < dual_.nNodes(); ++a)
+    {
+        for (label i = 0; i < d; ++i)
+        {
+            if (!std::isfinite(data_.state.lm[a*d + i])) return a;
+        }
+        if (data_.finiteStrain)
+        {
+            const scalar* F = data_.state.F.cdata();
+            const scalar detF =
+                d == 1 ? determinant(loadF<1>(F, a))
+              : d == 2 ? determinant(loadF<2>(F, a))
+              : determinant(loadF<3>(F, a));
+            if (!(detF > 0)) return a;
+            if (data_.state.solvesJ && !(data_.state.J[a] > 0)) return a;
+        }
+    }
+    return -1;
+}
+
+
+Foam::scalar Foam::solidBody::kineticEnergy() const
+{
+    const label d = dual_.nDim();
+    scalar sum = 0;
+    for (label a = 0; a < dual_.nNodes(); ++a)
+    {
+        if (dual_.sharing().owned()[a])
+        {
+            scalar pp = 0;
+            for (label i = 0; i < d; ++i) pp += sqr(data_.state.lm[a*d + i]);
+            sum += dual_.nodeVolume()[a]*pp;
+        }
+    }
+    return sum/(2*data_.rho);
+}
+
+
+Foam::scalar Foam::solidBody::strainEnergy() const
+{
+    scalar sum = 0;
+    for (label a = 0; a < dual_.nNodes(); ++a)
+    {
+        if (dual_.sharing().owned()[a])
+        {
+            sum +=
+                dual_.nodeVolume()[a]
+               *material_->strainEnergy(data_.state, a);
+        }
+    }
+    return sum;
+}
+
+
+Foam::vector Foam::solidBody::linearMomentum() const
+{
+    const label d = dual_.nDim();
+    vector sum(Zero);
+    for (label a = 0; a < dual_.nNodes(); ++a)
+    {
+        if (dual_.sharing().owned()[a])
+        {
+            sum +=
+                dual_.nodeVolume()[a]*expand(data_.state.lm.cdata() + a*d);
+        }
+    }
+    return sum;
+}
+
+
+Foam::vector Foam::solidBody::angularMomentum() const
+{
+    const label d = dual_.nDim();
+
+    // No component can change that has a direction left out in both factors
+    vector sum(Zero);
+    for (label a = 0; a < dual_.nNodes(); ++a)
+    {
+        if (dual_.sharing().owned()[a])
+        {
+            const vector x =
+                expand(dual_.nodePosition().cdata() + a*d)
+              + expand(data_.state.disp.cdata() + a*d);
+            sum +=
+                dual_.nodeVolume()[a]
+               *(x ^ expand(data_.state.lm.cdata() + a*d));
+        }
+    }
+    return sum;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,471 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "solidBody.H"
+#include "Time.H"
+#include "pointFields.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<class Type>
+Foam::autoPtr
+<
+    Foam::GeometricField<Type, Foam::pointPatchField, Foam::pointMesh>
+>
+Foam::solidBody::readIfPresent
+(
+    const word& name,
+    const dimensionSet& dims
+) const
+{
+    typedef GeometricField<Type, pointPatchField, pointMesh> Field;
+
+    IOobject io
+    (
+        name, time_.timeName(), mesh_,
+        IOobject::MUST_READ, IOobject::NO_WRITE, false
+    );
+
+    autoPtr<Field> field;
+    if (io.typeHeaderOk<Field>(true))
+    {
+        field.reset(new Field(io, pointMesh::New(mesh_)));
+
+        if (field->dimensions() != dims)
+        {
+            FatalErrorInFunction
+                << "File " << io.objectPath() << ", keyword 'dimensions': "
+                << field->dimensions() << " should be " << dims
+                << exit(FatalError);
+        }
+        for (const Type& value : field->primitiveField())
+        {
+            for (direction c = 0; c < pTraits<Type>::nComponents; ++c)
+            {
+                if (!std::isfinite(component(value, c)))
+                {
+                    FatalErrorInFunction
+                        << "File " << io.objectPath()
+                        << ", keyword 'internalField': a value is not finite"
+                        << exit(FatalError);
+                }
+            }
+        }
+    }
+    return field;
+}
+
+
+template<class Type, class NodeFunction>
+void Foam::solidBody::writeField
+(
+    const word& name,
+    const dimensionSet& dims,
+    const NodeFunction& valueOfNode
+) const
+{
+    GeometricField<Type, pointPatchField, pointMesh> field
+    (
+        IOobject
+        (
+            name, time_.timeName(), mesh_,
+            IOobject::NO_READ, IOobject::NO_WRITE, false
+        ),
+        pointMesh::New(mesh_),
+        dimensioned<Type>(name, dims, Zero)
+    );
+
+    List<Type> values(dual_.nNodes());
+    forAll(values, a)
+    {
+        values[a] = valueOfNode(a);
+    }
+    Field<Type>& points = field.primitiveFieldRef();
+    forAll(points, i)
+    {
+        points[i] = values[dual_.pointNode()[i]];
+    }
+    field.write();
+}
+
+
+void Foam::solidBody::readState()
+{
+    conservedState& s = data_.state;
+    const label d = dual_.nDim();
+    const label n = dual_.nNodes();
+    const FixedList<label, 3>& dir = dual_.directions();
+    const labelList& point = dual_.nodePoint();
+
+    if (pointU_.dimensions() != dimVelocity)
+    {
+        FatalErrorInFunction
+            << "File " << pointU_.objectPath() << ", keyword 'dimensions': "
+            << pointU_.dimensions() << " should be " << dimVelocity
+            << exit(FatalError);
+    }
+    for (const vector& v : pointU_.primitiveField())
+    {
+        if (!(std::isfinite(v.x() + v.y() + v.z())))
+        {
+            FatalErrorInFunction
+                << "File " << pointU_.objectPath()
+                << ", keyword 'internalField': a value is not finite"
+                << exit(FatalError);
+        }
+    }
+
+    const auto lm =
+        readIfPresent<vector>("lm", dimDensity*dimVelocity);
+    const auto D = readIfPresent<vector>("pointD", dimLength);
+    const auto F = readIfPresent<tensor>("F", dimless);
+
+    for (label a = 0; a < n; ++a)
+    {
+        for (label i = 0; i < d; ++i)
+        {
+            s.lm[a*d + i] =
+                lm.valid()
+              ? lm().primitiveField()[point[a]][dir[i]]
+              : data_.rho*pointU_.primitiveField()[point[a]][dir[i]];
+            if (D.valid())
+            {
+                s.disp[a*d + i] = D().primitiveField()[point[a]][dir[i]];
+            }
+            if (F.valid())
+            {
+                for (label j = 0; j < d; ++j)
+                {
+                    s.F[(a*d + i)*d + j] =
+                        F().primitiveField()[point[a]][3*dir[i] + dir[j]];
+                }
+            }
+        }
+    }
+
+    if (F.valid())
+    {
+        const auto H =
+            s.solvesH
+          ? readIfPresent<tensor>("H", dimless)
+          : autoPtr<pointTensorField>();
+        const auto J =
+            s.solvesJ
+          ? readIfPresent<scalar>("J", dimless)
+          : autoPtr<pointScalarField>();
+
+        for (label a = 0; a < n; ++a)
+        {
+            const scalar* Fs = s.F.cdata();
+            if (s.solvesH && d == 3)
+            {
+                const SolidTensor<3> G = cofactor(loadF<3>(Fs, a));
+                for (label k = 0; k < 9; ++k)
+                {
+                    s.H[9*a + k] =
+                        H.valid() ? H().primitiveField()[point[a]][k]
+                      : G.in[k];
+                }
+            }
+            else if (s.solvesH)
+            {
+                const label out = 3 - dir[0] - dir[1];
+                s.H[a] =
+                    H.valid() ? H().primitiveField()[point[a]][4*out]
+                  : determinant(loadF<2>(Fs, a));
+            }
+            if (s.solvesJ)
+            {
+                s.J[a] =
+                    J.valid() ? J().primitiveField()[point[a]]
+                  : d == 1 ? determinant(loadF<1>(Fs, a))
+                  : d == 2 ? determinant(loadF<2>(Fs, a))
+                  : determinant(loadF<3>(Fs, a));
+            }
+        }
+    }
+    else if (D.valid())
+    {
+        deformationFromDisplacement();
+    }
+
+    const scalar removed = returnReduce
+    (
+        symmetry_.project(s.lm), maxOp<scalar>()
+    );
+    if (removed > 1e-10*data_.rho*data_.cp)
+    {
+        WarningInFunction
+            << "Region " << name_ << ": an initial velocity of up to "
+            << removed/data_.rho << " m/s normal to a symmetry plane was "
+            << "removed" << endl;
+    }
+
+    if (hasContact_)
+    {
+        const auto status = readIfPresent<scalar>("contactStatus", dimless);
+        if (status.valid())
+        {
+            for (label a = 0; a < n; ++a)
+            {
+                contact_.status[a] = status().primitiveField()[point[a]];
+            }
+        }
+    }
+}
+
+
+void Foam::solidBody::deformationFromDisplacement()
+{
+    conservedState& s = data_.state;
+    const label d = dual_.nDim();
+    const label* edge = dual_.edgeNodes().cdata();
+    scalarField G(dual_.nNodes()*d*d, Zero);
+
+    for (label e = 0; e < dual_.nEdges(); ++e)
+    {
+        const label a = edge[2*e], b = edge[2*e + 1];
+        for (label i = 0; i < d; ++i)
+        {
+            const scalar avg = 0.5*(s.disp[a*d + i] + s.disp[b*d + i]);
+            for (label j = 0; j < d; ++j)
+            {
+                const scalar f = avg*dual_.edgeArea()[e*d + j];
+                G[(a*d + i)*d + j] += f;
+                G[(b*d + i)*d + j] -= f;
+            }
+        }
+    }
+    for (const dualPatch& patch : dual_.patches())
+    {
+        for (label f = 0; f < patch.nFaces(); ++f)
+        {
+            const label start = patch.faceStart[f];
+            const label nf = patch.faceStart[f + 1] - start;
+            const scalar* w =
+                patch.weightVectors.cdata() + d*patch.weightStart[f];
+            for (label p = 0; p < nf; ++p)
+            {
+                const label a = patch.cornerNode[start + p];
+                for (label j = 0; j < nf; ++j)
+                {
+                    const label b = patch.cornerNode[start + j];
+                    for (label i = 0; i < d; ++i)
+                    {
+                        for (label k = 0; k < d; ++k)
+                        {
+                            G[(a*d + i)*d + k] +=
+                                s.disp[b*d + i]*w[d*(p*nf + j) + k];
+                        }
+                    }
+                }
+            }
+        }
+    }
+    dual_.sharing().sum(G.data(), d*d);
+
+    for (label a = 0; a < dual_.nNodes(); ++a)
+    {
+        const scalar perV = 1/dual_.nodeVolume()[a];
+        for (label k = 0; k < d*d; ++k) s.F[a*d*d + k] += perV*G[a*d*d + k];
+
+        const scalar* F = s.F.cdata();
+        if (d == 3)
+        {
+            const SolidTensor<3> H = cofactor(loadF<3>(F, a));
+            for (label k = 0; k < s.strideH; ++k) s.H[9*a + k] = H.in[k];
+            if (s.solvesJ) s.J[a] = determinant(loadF<3>(F, a), H);
+        }
+        else if (d == 2)
+        {
+            if (s.solvesH) s.H[a] = determinant(loadF<2>(F, a));
+            if (s.solvesJ) s.J[a] = determinant(loadF<2>(F, a));
+        }
+        else if (s.solvesJ)
+        {
+            s.J[a] = determinant(loadF<1>(F, a));
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::solidBody::write()
+{
+    const conservedState& s = data_.state;
+    const label d = dual_.nDim();
+    const FixedList<label, 3>& dir = dual_.directions();
+
+    // Velocity, with its boundary conditions
+    {
+        vectorField& U = pointU_.primitiveFieldRef();
+        forAll(U, i)
+        {
+            U[i] =
+                expand(s.lm.cdata() + dual_.pointNode()[i]*d)/data_.rho;
+        }
+        pointU_.instance() = time_.timeName();
+        pointU_.write();
+    }
+
+    writeField<vector>
+    (
+        "lm", dimDensity*dimVelocity,
+        [&](const label a) { return expand(s.lm.cdata() + a*d); }
+    );
+    writeField<vector>
+    (
+        "pointD", dimLength,
+        [&](const label a) { return expand(s.disp.cdata() + a*d); }
+    );
+    writeField<tensor>
+    (
+        "F", dimless,
+        [&](const label a) { return deformationGradient(a); }
+    );
+    if (s.solvesH)
+    {
+        writeField<tensor>
+        (
+            "H", dimless,
+            [&](const label a)
+            {
+                tensor H(Zero);
+                if (d == 3)
+                {
+                    for (label k = 0; k < 9; ++k) H[k] = s.H[9*a + k];
+                }
+                else
+                {
+                    const SolidTensor<2> G =
+                        loadH<2>(loadF<2>(s.F.cdata(), a), s.H.cdata(), a);
+                    for (label i = 0; i < 2; ++i)
+                    {
+                        for (label j = 0; j < 2; ++j)
+                        {
+                            H[3*dir[i] + dir[j]] = G(i, j);
+                        }
+                    }
+                    H[4*(3 - dir[0] - dir[1])] = G.out;
+                }
+                return H;
+            }
+        );
+    }
+    if (s.solvesJ)
+    {
+        writeField<scalar>
+        (
+            "J", dimless, [&](const label a) { return s.J[a]; }
+        );
+    }
+
+    writeField<symmTensor>
+    (
+        "sigma", dimPressure,
+        [&](const label a) { return CauchyStress(a); }
+    );
+    writeField<scalar>
+    (
+        "sigmaEq", dimPressure,
+        [&](const label a)
+        {
+            return std::sqrt(1.5*magSqr(dev(CauchyStress(a))));
+        }
+    );
+    writeField<scalar>
+    (
+        "pressure", dimPressure,
+        [&](const label a) { return -tr(CauchyStress(a))/3; }
+    );
+
+    if (hasContact_)
+    {
+        // Corners of other processors add to the nodes of this one
+        vectorField force(contact_.force);
+        scalarField area(contact_.area), gap(contact_.gap);
+        dual_.sharing().sum
+        (
+            reinterpret_cast<scalar*>(force.data()), 3
+        );
+        dual_.sharing().sum(area.data(), 1);
+        dual_.sharing().min(gap.data(), 1);
+
+        writeField<scalar>
+        (
+            "contactStatus", dimless,
+            [&](const label a) { return contact_.status[a]; }
+        );
+        writeField<vector>
+        (
+            "contactTraction", dimPressure,
+            [&](const label a)
+            {
+                return area[a] > 0 ? force[a]/area[a] : vector(Zero);
+            }
+        );
+        writeField<scalar>
+        (
+            "contactGap", dimLength,
+            [&](const label a) { return gap[a] < 0.1*GREAT ? gap[a] : 0; }
+        );
+    }
+}
+
+
+void Foam::solidBody::report(Ostream& os) const
+{
+    const label d = dual_.nDim();
+    const conservedState& s = data_.state;
+    const label nNodes = returnReduce(dual_.nNodes(), sumOp<label>());
+    const std::size_t bytes = returnReduce
+    (
+        scalar(data_.bytes() + dual_.bytes()), sumOp<scalar>()
+    );
+    const auto onOff = [](const bool on) { return on ? "on" : "off"; };
+
+    dual_.report(os);
+    os  << "    material " << material_->type()
+        << ", rho " << material_->rho() << " kg/m3, cp " << material_->cp()
+        << " m/s, cs " << material_->cs() << " m/s" << nl
+        << "    cells " << medianDual::cellTreatmentNames[options_.cells]
+        << ", reconstruction "
+        << schemeOptions::reconstructionNames[options_.reconstruction]
+        << ", limiter " << schemeOptions::limiterNames[options_.limiter]
+        << nl
+        << "    kinematics "
+        << conservedState::kinematicSetNames
+           [
+               !s.solvesJ ? kinematicSet::F
+             : s.solvesH || d == 1 ? options_.kinematics
+             : kinematicSet::FJ
+           ]
+        << (data_.finiteStrain ? "" : " (small strains need no more)")
+        << ", jacobian "
+        << (
+               data_.finiteStrain
+             ? materialModel::jacobianFormNames[options_.jacobian]
+             : word("none")
+           )
+        << nl
+        << "    stored per node: momentum " << d << ", displacement " << d
+        << ", F " << d*d << ", H " << s.strideH << ", J "
+        << label(s.solvesJ) << ", stress " << d*d + data_.nSJ
+        << " components" << nl
+        << "    H solved " << onOff(s.solvesH)
+        << ", J solved " << onOff(s.solvesJ)
+        << ", gradients " << onOff(data_.nR > 0)
+        << ", limiter " << onOff(data_.lo.size() > 0)
+        << ", body force " << onOff(mag(max(gravity_)) + mag(min(gravity_)) > 0)
+        << ", contact " << onOff(hasContact_)
+        << ", plasticity off" << nl
+        << "    " << label(scalar(bytes)/max(nNodes, label(1)))
+        << " bytes per node" << nl;
+}
+
+
+// ************************************************************************* //

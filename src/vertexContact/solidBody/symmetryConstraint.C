@@ -1,0 +1,177 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "symmetryConstraint.H"
+#include "DynamicList.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::symmetryConstraint::symmetrise
+(
+    scalar* T,
+    const label rank,
+    const scalar* n
+) const
+{
+    const label d = nDim_;
+    const label size = rank == 1 ? d : rank == 2 ? d*d : d*d*d;
+
+    scalar mirror[27];
+    for (label k = 0; k < size; ++k) mirror[k] = T[k];
+
+    // Reflect one index after the other: T_i -> T_i - 2 n_i n_k T_k
+    for (label stride = 1; stride < size; stride *= d)
+    {
+        for (label k = 0; k < size; ++k)
+        {
+            if ((k/stride) % d != 0)
+            {
+                continue;
+            }
+            scalar along = 0;
+            for (label i = 0; i < d; ++i) along += n[i]*mirror[k + i*stride];
+            for (label i = 0; i < d; ++i)
+            {
+                mirror[k + i*stride] -= 2*n[i]*along;
+            }
+        }
+    }
+    if (d == 1)
+    {
+        // The loop above has no pass: each index changes the sign
+        mirror[0] = (rank % 2 ? -T[0] : T[0]);
+    }
+
+    for (label k = 0; k < size; ++k) T[k] = 0.5*(T[k] + mirror[k]);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::symmetryConstraint::symmetryConstraint
+(
+    const medianDual& dual,
+    const labelList& patchIDs
+)
+:
+    nDim_(dual.nDim())
+{
+    if (patchIDs.empty())
+    {
+        start_ = labelList(1, label(0));
+        return;
+    }
+
+    // Area vector of each mirror at each node
+    const label d = nDim_;
+    List<scalarField> areas(patchIDs.size());
+    forAll(patchIDs, i)
+    {
+        const dualPatch& patch = dual.patches()[patchIDs[i]];
+        areas[i].setSize(dual.nNodes()*d, Zero);
+        forAll(patch.cornerNode, k)
+        {
+            for (label j = 0; j < d; ++j)
+            {
+                areas[i][patch.cornerNode[k]*d + j] +=
+                    patch.cornerArea[k]*patch.cornerNormal[k*d + j];
+            }
+        }
+        dual.sharing().sum(areas[i].data(), d);
+    }
+
+    DynamicList<label> nodes, start;
+    DynamicList<scalar> normals;
+    start.append(0);
+
+    for (label a = 0; a < dual.nNodes(); ++a)
+    {
+        const label first = normals.size();
+        forAll(patchIDs, i)
+        {
+            FixedList<scalar, 3> n(Zero);
+            scalar magS = 0;
+            for (label j = 0; j < d; ++j) magS += sqr(areas[i][a*d + j]);
+            magS = std::sqrt(magS);
+            if (magS < VSMALL)
+            {
+                continue;
+            }
+            for (label j = 0; j < d; ++j) n[j] = areas[i][a*d + j]/magS;
+
+            // Orthogonal to those before; parallel ones add nothing
+            for (label k = first; k < normals.size(); k += d)
+            {
+                scalar along = 0;
+                for (label j = 0; j < d; ++j) along += n[j]*normals[k + j];
+                for (label j = 0; j < d; ++j) n[j] -= along*normals[k + j];
+            }
+            scalar magN = 0;
+            for (label j = 0; j < d; ++j) magN += sqr(n[j]);
+            magN = std::sqrt(magN);
+            if (magN > 1e-3)
+            {
+                for (label j = 0; j < d; ++j) normals.append(n[j]/magN);
+            }
+        }
+        if (normals.size() > first)
+        {
+            nodes.append(a);
+            start.append(normals.size()/d);
+        }
+    }
+
+    nodes_.transfer(nodes);
+    start_.transfer(start);
+    normals_ = scalarField(normals);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::symmetryConstraint::project(scalarField& v) const
+{
+    const label d = nDim_;
+    scalar removed = 0;
+
+    forAll(nodes_, i)
+    {
+        scalar* p = v.data() + nodes_[i]*d;
+        for (label k = start_[i]; k < start_[i + 1]; ++k)
+        {
+            const scalar* n = normals_.cdata() + k*d;
+            scalar along = 0;
+            for (label j = 0; j < d; ++j) along += n[j]*p[j];
+            for (label j = 0; j < d; ++j) p[j] -= along*n[j];
+            removed = max(removed, mag(along));
+        }
+    }
+
+    return removed;
+}
+
+
+void Foam::symmetryConstraint::symmetrise
+(
+    scalar* data,
+    const label stride,
+    const label rank
+) const
+{
+    forAll(nodes_, i)
+    {
+        for (label k = start_[i]; k < start_[i + 1]; ++k)
+        {
+            symmetrise
+            (
+                data + nodes_[i]*stride, rank, normals_.cdata() + k*nDim_
+            );
+        }
+    }
+}
+
+
+// ************************************************************************* //

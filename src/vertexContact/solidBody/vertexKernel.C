@@ -1,0 +1,33 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "vertexKernelTemplate.H"
+
+// * * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+// Each dimension is compiled in a file of its own
+extern template autoPtr<vertexKernel> newVertexKernel<1>(const vertexData&);
+extern template autoPtr<vertexKernel> newVertexKernel<2>(const vertexData&);
+extern template autoPtr<vertexKernel> newVertexKernel<3>(const vertexData&);
+
+}
+
+
+Foam::autoPtr<Foam::vertexKernel> Foam::vertexKernel::New(const vertexData& d)
+{
+    switch (d.nDim())
+    {
+        case 1: return newVertexKernel<1>(d);
+        case 2: return newVertexKernel<2>(d);
+        default: return newVertexKernel<3>(d);
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,817 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "vertexKernelTemplate.H"
+#include <cmath>
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+namespace Foam
+{
+
+template<int D, int nSJ, reconstructionType R, bool finite>
+inline SolidVector<D> vertexKernelTemplate<D, nSJ, R, finite>::waveArea
+(
+    const conservedState& s,
+    const label a,
+    const label b,
+    const SolidVector<D>& C
+)
+{
+    if constexpr (!finite || D == 1)
+    {
+        // In uniaxial strain H_11 = 1
+        return C;
+    }
+    else if constexpr (D == 2)
+    {
+        // The in-plane cofactor is a permutation of F
+        const scalar* Fa = s.F.cdata() + 4*a;
+        const scalar* Fb = s.F.cdata() + 4*b;
+        SolidVector<D> c;
+        c[0] = 0.5*((Fa[3] + Fb[3])*C[0] - (Fa[2] + Fb[2])*C[1]);
+        c[1] = 0.5*((Fa[0] + Fb[0])*C[1] - (Fa[1] + Fb[1])*C[0]);
+        return c;
+    }
+    else
+    {
+        const scalar* Ha = s.H.cdata() + 9*a;
+        const scalar* Hb = s.H.cdata() + 9*b;
+        SolidVector<D> c;
+        for (int i = 0; i < 3; ++i)
+        {
+            c[i] = 0;
+            for (int j = 0; j < 3; ++j)
+            {
+                c[i] += 0.5*(Ha[3*i + j] + Hb[3*i + j])*C[j];
+            }
+        }
+        return c;
+    }
+}
+
+
+template<int D, int nSJ, reconstructionType R, bool finite>
+template<bool energy>
+void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
+{
+    const label* edge = d.dual.edgeNodes().cdata();
+    const scalar* area = d.dual.edgeArea().cdata();
+    const scalar* X = d.dual.nodePosition().cdata();
+    const scalar* W = d.W.cdata();
+    const scalar* grad = d.grad.cdata();
+    scalar* rateLm = d.rateLm.data();
+    scalar* rateF = d.rateF.data();
+    scalar* rateJ = d.rateJ.data();
+    scalar* waveSum = d.waveSum.data();
+
+    const label nEdges = d.dual.nEdges();
+    const scalar halfZp = 0.5*d.rho*d.cp;
+    const scalar halfZs = 0.5*d.rho*d.cs;
+    const scalar perZp = 0.5/(d.rho*d.cp);
+    scalar dissipation = 0;
+
+    for (label e = 0; e < nEdges; ++e)
+    {
+        const label a = edge[2*e], b = edge[2*e + 1];
+        const SolidVector<D> C = SolidVector<D>::load(area + D*e);
+        const scalar* Wa = W + a*nW;
+        const scalar* Wb = W + b*nW;
+
+        // States at both sides of mid-edge
+        scalar L[nW], Rt[nW];
+        for (int k = 0; k < nW; ++k)
+        {
+            L[k] = Wa[k];
+            Rt[k] = Wb[k];
+        }
+        if constexpr (!none)
+        {
+            SolidVector<D> r;
+            for (int i = 0; i < D; ++i) r[i] = 0.5*(X[b*D + i] - X[a*D + i]);
+
+            const scalar* ga = grad + a*nR*D;
+            const scalar* gb = grad + b*nR*D;
+            for (int k = 0; k < nR; ++k)
+            {
+                for (int i = 0; i < D; ++i)
+                {
+                    L[k] += ga[k*D + i]*r[i];
+                    Rt[k] -= gb[k*D + i]*r[i];
+                }
+            }
+        }
+
+        // Direction of the waves (65)
+        const SolidVector<D> c = waveArea(d.state, a, b, C);
+        const scalar cc = dot(c, c);
+        const scalar magC = std::sqrt(dot(C, C));
+
+        // Traction, contact-stick condition (34a): average of the stress and
+        // acoustic dissipation of the velocity jump, times area
+        SolidVector<D> jump, t;
+        for (int i = 0; i < D; ++i) jump[i] = Rt[i] - L[i];
+        const scalar jumpN = cc > 0 ? dot(jump, c)/cc : 0;
+        for (int i = 0; i < D; ++i)
+        {
+            scalar PN = 0;
+            for (int j = 0; j < D; ++j)
+            {
+                PN += (L[atP + i*D + j] + Rt[atP + i*D + j])*C[j];
+            }
+            t[i] =
+                0.5*PN
+              + magC
+               *(halfZs*jump[i] + (halfZp - halfZs)*jumpN*c[i]);
+        }
+        for (int i = 0; i < D; ++i)
+        {
+            rateLm[a*D + i] += t[i];
+            rateLm[b*D + i] -= t[i];
+        }
+
+        // Velocity of the kinematic fluxes (63a)
+        SolidVector<D> vAvg;
+        for (int i = 0; i < D; ++i)
+        {
+            vAvg[i] = full ? 0.5*(L[i] + Rt[i]) : 0.5*(Wa[i] + Wb[i]);
+        }
+        if constexpr (full)
+        {
+            for (int i = 0; i < D; ++i)
+            {
+                for (int j = 0; j < D; ++j)
+                {
+                    const scalar f = vAvg[i]*C[j];
+                    rateF[a*nP + i*D + j] += f;
+                    rateF[b*nP + i*D + j] -= f;
+                }
+            }
+        }
+
+        // Dissipation of J (63c), (64)
+        scalar fluxJ = 0;
+        if constexpr (nSJ == 1)
+        {
+            fluxJ = perZp*cc/magC*(Rt[D] - L[D]);
+            rateJ[a] += fluxJ;
+            rateJ[b] -= fluxJ;
+        }
+
+        // Waves cross the deformed area where that is larger
+        const scalar w = finite ? std::sqrt(max(cc, sqr(magC))) : magC;
+        waveSum[a] += w;
+        waveSum[b] += w;
+
+        // Discrete energy equation of the edge: what its fluxes take from the
+        // two nodes beyond the telescoping part (68), (72)
+        if constexpr (energy)
+        {
+            for (int i = 0; i < D; ++i)
+            {
+                scalar ta = 0, tb = 0;
+                for (int j = 0; j < D; ++j)
+                {
+                    ta += Wa[atP + i*D + j]*C[j];
+                    tb += Wb[atP + i*D + j]*C[j];
+                }
+                dissipation +=
+                    Wa[i]*ta - Wb[i]*tb
+                  - (Wa[i] - Wb[i])*t[i] - vAvg[i]*(ta - tb);
+            }
+            if constexpr (nSJ == 1)
+            {
+                dissipation += fluxJ*(Wb[D] - Wa[D]);
+            }
+        }
+    }
+
+    if constexpr (energy)
+    {
+        d.numericalDissipation += dissipation;
+    }
+}
+
+
+template<int D, int nSJ, reconstructionType R, bool finite>
+template<limiterType L>
+void vertexKernelTemplate<D, nSJ, R, finite>::limitLoop(vertexData& d) const
+{
+    if constexpr (!none)
+    {
+        const label* edge = d.dual.edgeNodes().cdata();
+        const scalar* X = d.dual.nodePosition().cdata();
+        const scalar* W = d.W.cdata();
+        const scalar* grad = d.grad.cdata();
+        const scalar* lo = d.lo.cdata();
+        const scalar* hi = d.hi.cdata();
+        scalar* phi = d.phi.data();
+
+        const label nEdges = d.dual.nEdges();
+
+        for (label e = 0; e < nEdges; ++e)
+        {
+            const label ends[2] = {edge[2*e], edge[2*e + 1]};
+            SolidVector<D> r;
+            for (int i = 0; i < D; ++i)
+            {
+                r[i] = 0.5*(X[ends[1]*D + i] - X[ends[0]*D + i]);
+            }
+
+            for (int side = 0; side < 2; ++side)
+            {
+                const label a = ends[side];
+                for (int k = 0; k < nR; ++k)
+                {
+                    scalar delta = 0;
+                    for (int i = 0; i < D; ++i)
+                    {
+                        delta += grad[(a*nR + k)*D + i]*r[i];
+                    }
+                    if (side == 1) delta = -delta;
+
+                    const scalar u = W[a*nW + k];
+                    const scalar l = lo[a*nR + k], h = hi[a*nR + k];
+                    const scalar f =
+                        L == limiterType::BarthJespersen
+                      ? slopeLimiter::BarthJespersen(u, l, h, delta)
+                      : slopeLimiter::Venkatakrishnan(u, l, h, delta);
+                    phi[a*nR + k] = min(phi[a*nR + k], f);
+                }
+            }
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+template<int D, int nSJ, reconstructionType R, bool finite>
+void vertexKernelTemplate<D, nSJ, R, finite>::velocities(vertexData& d) const
+{
+    const label n = d.nNodes();
+    const scalar perRho = 1/d.rho;
+    const scalar* lm = d.state.lm.cdata();
+    scalar* W = d.W.data();
+
+    for (label a = 0; a < n; ++a)
+    {
+        for (int i = 0; i < D; ++i) W[a*nW + i] = perRho*lm[a*D + i];
+    }
+
+    if constexpr (finite && D == 3)
+    {
+        if (!d.state.solvesH)
+        {
+            scalar* H = d.state.H.data();
+            for (label a = 0; a < n; ++a)
+            {
+                const SolidTensor<3> G =
+                    cofactor(loadF<3>(d.state.F.cdata(), a));
+                for (int k = 0; k < 9; ++k) H[9*a + k] = G.in[k];
+            }
+        }
+    }
+}
+
+
+template<int D, int nSJ, reconstructionType R, bool finite>
+void vertexKernelTemplate<D, nSJ, R, finite>::corners
+(
+    const vertexData& d,
+    cornerStates& c
+) const
+{
+    const dualPatch& g = c.geometry;
+    const FixedList<label, 3>& dir = d.dual.directions();
+    const scalar* W = d.W.cdata();
+
+    for (label k = 0; k < g.nCorners(); ++k)
+    {
+        const label a = g.cornerNode[k];
+        const SolidVector<D> N =
+            SolidVector<D>::load(g.cornerNormal.cdata() + D*k);
+        const SolidVector<D> h = waveArea(d.state, a, a, N);
+        const scalar magH = std::sqrt(dot(h, h));
+
+        vector& v = c.v[k];
+        vector& t = c.t[k];
+        vector& n = c.n[k];
+        for (int i = 0; i < D; ++i)
+        {
+            scalar PN = 0;
+            for (int j = 0; j < D; ++j) PN += W[a*nW + atP + i*D + j]*N[j];
+            v[dir[i]] = W[a*nW + i];
+            t[dir[i]] = PN;
+            n[dir[i]] = h[i]/magH;
+        }
+        c.stretch[k] = magH;
+    }
+}
+
+
+template<int D, int nSJ, reconstructionType R, bool finite>
+void vertexKernelTemplate<D, nSJ, R, finite>::gradients(vertexData& d) const
+{
+    const label* edge = d.dual.edgeNodes().cdata();
+    const scalar* area = d.dual.edgeArea().cdata();
+    const scalar* W = d.W.cdata();
+    const label nEdges = d.dual.nEdges();
+
+    if constexpr (none)
+    {
+        // The gradient of v is the rate of F (63a)
+        d.rateF = Zero;
+        scalar* rateF = d.rateF.data();
+        for (label e = 0; e < nEdges; ++e)
+        {
+            const label a = edge[2*e], b = edge[2*e + 1];
+            for (int i = 0; i < D; ++i)
+            {
+                const scalar avg = 0.5*(W[a*nW + i] + W[b*nW + i]);
+                for (int j = 0; j < D; ++j)
+                {
+                    const scalar f = avg*area[D*e + j];
+                    rateF[a*nP + i*D + j] += f;
+                    rateF[b*nP + i*D + j] -= f;
+                }
+            }
+        }
+    }
+    else
+    {
+        d.grad = Zero;
+        scalar* grad = d.grad.data();
+        for (label e = 0; e < nEdges; ++e)
+        {
+            const label a = edge[2*e], b = edge[2*e + 1];
+            scalar* ga = grad + a*nR*D;
+            scalar* gb = grad + b*nR*D;
+            for (int k = 0; k < nR; ++k)
+            {
+                const scalar avg = 0.5*(W[a*nW + k] + W[b*nW + k]);
+                for (int j = 0; j < D; ++j)
+                {
+                    const scalar f = avg*area[D*e + j];
+                    ga[k*D + j] += f;
+                    gb[k*D + j] -= f;
+                }
+            }
+        }
+
+        if (d.limiter != limiterType::none)
+        {
+            scalar* lo = d.lo.data();
+            scalar* hi = d.hi.data();
+            const label n = d.nNodes();
+            for (label a = 0; a < n; ++a)
+            {
+                for (int k = 0; k < nR; ++k)
+                {
+                    lo[a*nR + k] = hi[a*nR + k] = W[a*nW + k];
+                }
+            }
+            for (label e = 0; e < nEdges; ++e)
+            {
+                const label a = edge[2*e], b = edge[2*e + 1];
+                for (int k = 0; k < nR; ++k)
+                {
+                    const scalar ua = W[a*nW + k], ub = W[b*nW + k];
+                    lo[a*nR + k] = min(lo[a*nR + k], ub);
+                    hi[a*nR + k] = max(hi[a*nR + k], ub);
+                    lo[b*nR + k] = min(lo[b*nR + k], ua);
+                    hi[b*nR + k] = max(hi[b*nR + k], ua);
+                }
+            }
+        }
+    }
+}
+
+
+template<int D, int nSJ, reconstructionType R, bool finite>
+void vertexKernelTemplate<D, nSJ, R, finite>::addBoundaryGradients
+(
+    vertexData& d,
+    const dualPatch& patch,
+    const cornerStates* c
+) const
+{
+    const FixedList<label, 3>& dir = d.dual.directions();
+    const scalar* W = d.W.cdata();
+    scalar* target = none ? d.rateF.data() : d.grad.data();
+    constexpr int nG = none ? D : nR;
+
+    for (label f = 0; f < patch.nFaces(); ++f)
+    {
+        const label start = patch.faceStart[f];
+        const label nf = patch.faceStart[f + 1] - start;
+        const scalar* w =
+            patch.weightVectors.cdata() + D*patch.weightStart[f];
+
+        for (label j = 0; j < nf; ++j)
+        {
+            // Values of corner j: velocity flux, nodal stresses
+            const label b = patch.cornerNode[start + j];
+            scalar u[nW];
+            for (int k = 0; k < nG; ++k) u[k] = W[b*nW + k];
+            if (c)
+            {
+                for (int i = 0; i < D; ++i) u[i] = c->vB[start + j][dir[i]];
+            }
+
+            for (label p = 0; p < nf; ++p)
+            {
+                scalar* g =
+                    target + label(nG)*D*patch.cornerNode[start + p];
+                const scalar* wpj = w + D*(p*nf + j);
+                for (int k = 0; k < nG; ++k)
+                {
+                    for (int i = 0; i < D; ++i) g[k*D + i] += u[k]*wpj[i];
+                }
+            }
+        }
+    }
+}
+
+
+template<int D, int nSJ, reconstructionType R, bool finite>
+void vertexKernelTemplate<D, nSJ, R, finite>::scaleGradients
+(
+    vertexData& d
+) const
+{
+    const scalar* V = d.dual.nodeVolume().cdata();
+    const label n = d.nNodes();
+    scalar* rateF = d.rateF.data();
+
+    if constexpr (none)
+    {
+        for (label a = 0; a < n; ++a)
+        {
+            const scalar perV = 1/V[a];
+            for (int k = 0; k < nP; ++k) rateF[a*nP + k] *= perV;
+        }
+    }
+    else
+    {
+        scalar* grad = d.grad.data();
+        for (label a = 0; a < n; ++a)
+        {
+            const scalar perV = 1/V[a];
+            for (int k = 0; k < nR*D; ++k) grad[a*nR*D + k] *= perV;
+            if constexpr (!full)
+            {
+                // v is the first of the reconstructed components
+                for (int k = 0; k < nP; ++k)
+                {
+                    rateF[a*nP + k] = grad[a*nR*D + k];
+                }
+            }
+        }
+    }
+}
+
+
+template<int D, int nSJ, reconstructionType R, bool finite>
+void vertexKernelTemplate<D, nSJ, R, finite>::limit(vertexData& d) const
+{
+    d.phi = scalar(1);
+    if (d.limiter == limiterType::BarthJespersen)
+    {
+        limitLoop<limiterType::BarthJespersen>(d);
+    }
+    else
+    {
+        limitLoop<limiterType::Venkatakrishnan>(d);
+    }
+}
+
+
+template<int D, int nSJ, reconstructionType R, bool finite>
+void vertexKernelTemplate<D, nSJ, R, finite>::applyLimiter
+(
+    vertexData& d
+) const
+{
+    const label n = d.phi.size();
+    for (label k = 0; k < n; ++k)
+    {
+        for (int i = 0; i < D; ++i) d.grad[k*D + i] *= d.phi[k];
+    }
+}
+
+
+template<int D, int nSJ, reconstructionType R, bool finite>
+void vertexKernelTemplate<D, nSJ, R, finite>::relaxFree
+(
+    const vertexData& d,
+    const scalarField& depth,
+    cornerStates& c
+) const
+{
+    if constexpr (full)
+    {
+        const dualPatch& g = c.geometry;
+        const FixedList<label, 3>& dir = d.dual.directions();
+        const scalar* grad = d.grad.cdata();
+
+        for (label k = 0; k < g.nCorners(); ++k)
+        {
+            if (!c.released[k])
+            {
+                continue;
+            }
+
+            const label a = g.cornerNode[k];
+            const SolidVector<D> N =
+                SolidVector<D>::load(g.cornerNormal.cdata() + D*k);
+
+            // Normal traction that the surface should not have, here and at
+            // the next node inside
+            const scalar here = (c.t[k] - c.tB[k]) & c.n[k];
+            scalar change = 0;
+            for (int i = 0; i < D; ++i)
+            {
+                for (int j = 0; j < D; ++j)
+                {
+                    const scalar* gP =
+                        grad + (a*nR + atP + i*D + j)*D;
+                    change +=
+                        c.n[k][dir[i]]*N[j]
+                       *dot(SolidVector<D>::load(gP), N);
+                }
+            }
+            const scalar inside = here - depth[k]*change;
+
+            if (here*inside < 0)
+            {
+                const scalar residual =
+                    mag(here) < mag(inside) ? here : -inside;
+                c.vB[k] -= (residual/c.zp)*c.n[k];
+            }
+        }
+    }
+}
+
+
+template<int D, int nSJ, reconstructionType R, bool finite>
+void vertexKernelTemplate<D, nSJ, R, finite>::fluxes
+(
+    vertexData& d,
+    const bool energy
+) const
+{
+    d.rateLm = Zero;
+    d.rateJ = Zero;
+    d.waveSum = Zero;
+    if constexpr (full)
+    {
+        d.rateF = Zero;
+    }
+
+    if (energy)
+    {
+        fluxLoop<true>(d);
+    }
+    else
+    {
+        fluxLoop<false>(d);
+    }
+}
+
+
+template<int D, int nSJ, reconstructionType R, bool finite>
+scalar vertexKernelTemplate<D, nSJ, R, finite>::addBoundaryFluxes
+(
+    vertexData& d,
+    const dualPatch& patch,
+    const cornerStates* c,
+    const bool energy
+) const
+{
+    const FixedList<label, 3>& dir = d.dual.directions();
+    const scalar* W = d.W.cdata();
+    scalar* rateLm = d.rateLm.data();
+    scalar* rateF = d.rateF.data();
+    scalar power = 0, storage = 0;
+
+    for (label f = 0; f < patch.nFaces(); ++f)
+    {
+        const label start = patch.faceStart[f];
+        const label nf = patch.faceStart[f + 1] - start;
+        const scalar* s = patch.weights.cdata() + patch.weightStart[f];
+        const scalar* w =
+            patch.weightVectors.cdata() + D*patch.weightStart[f];
+
+        for (label p = 0; p < nf; ++p)
+        {
+            const label a = patch.cornerNode[start + p];
+            const scalar* Wa = W + a*nW;
+
+            SolidVector<D> force, vP;
+            scalar L[nP];
+            for (int i = 0; i < D; ++i) force[i] = 0;
+            for (int k = 0; k < nP; ++k) L[k] = 0;
+
+            for (label j = 0; j < nf; ++j)
+            {
+                const label b = patch.cornerNode[start + j];
+                for (int i = 0; i < D; ++i)
+                {
+                    const scalar vBj =
+                        c ? c->vB[start + j][dir[i]] : W[b*nW + i];
+                    if (c) force[i] += s[p*nf + j]*c->tB[start + j][dir[i]];
+                    for (int k = 0; k < D; ++k)
+                    {
+                        L[i*D + k] += vBj*w[D*(p*nf + j) + k];
+                    }
+                    if (j == p) vP[i] = vBj;
+                }
+            }
+
+            for (int i = 0; i < D; ++i) rateLm[a*D + i] += force[i];
+            if constexpr (full)
+            {
+                for (int k = 0; k < nP; ++k) rateF[a*nP + k] += L[k];
+            }
+
+            if (energy)
+            {
+                // What the corner's fluxes store in the node, less the
+                // telescoping part of the edges, against the power that
+                // enters: the difference is dissipated
+                for (int i = 0; i < D; ++i)
+                {
+                    power += vP[i]*force[i];
+                    storage += Wa[i]*force[i];
+                    for (int k = 0; k < D; ++k)
+                    {
+                        scalar areaK = 0;
+                        for (label j = 0; j < nf; ++j)
+                        {
+                            areaK += w[D*(p*nf + j) + k];
+                        }
+                        storage +=
+                            Wa[atP + i*D + k]*(L[i*D + k] - Wa[i]*areaK);
+                    }
+                }
+            }
+        }
+    }
+
+    d.numericalDissipation += power - storage;
+    return power;
+}
+
+
+template<int D, int nSJ, reconstructionType R, bool finite>
+void vertexKernelTemplate<D, nSJ, R, finite>::scaleRates
+(
+    vertexData& d
+) const
+{
+    const scalar* V = d.dual.nodeVolume().cdata();
+    const label n = d.nNodes();
+
+    for (label a = 0; a < n; ++a)
+    {
+        const scalar perV = 1/V[a];
+        for (int i = 0; i < D; ++i) d.rateLm[a*D + i] *= perV;
+        if constexpr (full)
+        {
+            for (int k = 0; k < nP; ++k) d.rateF[a*nP + k] *= perV;
+        }
+        if constexpr (nSJ == 1) d.rateJ[a] *= perV;
+    }
+}
+
+
+template<int D, int nSJ, reconstructionType R, bool finite>
+label vertexKernelTemplate<D, nSJ, R, finite>::advance
+(
+    vertexData& d,
+    const scalar deltaT,
+    const int stage
+) const
+{
+    conservedState& s = d.state;
+    conservedState& o = d.old;
+    const label n = d.nNodes();
+    const scalar* W = d.W.cdata();
+    label nBad = 0;
+
+    // u <- u + dt r, in the second stage averaged with the old u
+    const auto update = [&](scalar& u, scalar& uOld, const scalar rate)
+    {
+        if (stage == 0)
+        {
+            uOld = u;
+            u += deltaT*rate;
+        }
+        else
+        {
+            u = 0.5*(uOld + (u + deltaT*rate));
+        }
+    };
+
+    for (label a = 0; a < n; ++a)
+    {
+        const SolidTensor<D> G =
+            SolidTensor<D>::load(d.rateF.cdata() + a*nP, 0);
+
+        if constexpr (finite)
+        {
+            const SolidTensor<D> F = loadF<D>(s.F.cdata(), a);
+            if constexpr (nSJ == 1)
+            {
+                const SolidTensor<D> H = loadH<D>
+                (
+                    F, s.strideH ? s.H.cdata() : nullptr, a
+                );
+                update(s.J[a], o.J[a], ddot(H, G) + d.rateJ[a]);  // (63c)
+            }
+            if constexpr (D > 1)
+            {
+                if (s.solvesH)
+                {
+                    const SolidTensor<D> rateH = cross(F, G);     // (63b)
+                    if constexpr (D == 2)
+                    {
+                        update(s.H[a], o.H[a], rateH.out);
+                    }
+                    else
+                    {
+                        for (int k = 0; k < 9; ++k)
+                        {
+                            update(s.H[9*a + k], o.H[9*a + k], rateH.in[k]);
+                        }
+                    }
+                }
+            }
+        }
+
+        for (int k = 0; k < nP; ++k)
+        {
+            update(s.F[a*nP + k], o.F[a*nP + k], G.in[k]);        // (63a)
+        }
+        for (int i = 0; i < D; ++i)
+        {
+            update(s.disp[a*D + i], o.disp[a*D + i], W[a*nW + i]); // (66)
+            update(s.lm[a*D + i], o.lm[a*D + i], d.rateLm[a*D + i]); // (62a)
+        }
+
+        // A state that cannot be continued
+        bool good = true;
+        for (int i = 0; i < D; ++i) good = good && std::isfinite(s.lm[a*D + i]);
+        if constexpr (finite)
+        {
+            const scalar detF = determinant(loadF<D>(s.F.cdata(), a));
+            good = good && detF > 0;
+            if constexpr (nSJ == 1) good = good && s.J[a] > 0;
+        }
+        if (!good) ++nBad;
+    }
+
+    return nBad;
+}
+
+
+// * * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * //
+
+template<int D, int nSJ, bool finite>
+autoPtr<vertexKernel> newVertexKernelOf(const reconstructionType r)
+{
+    using kind = reconstructionType;
+    vertexKernel* k = nullptr;
+    switch (r)
+    {
+        case kind::none:
+            k = new vertexKernelTemplate<D, nSJ, kind::none, finite>();
+            break;
+        case kind::linear:
+            k = new vertexKernelTemplate<D, nSJ, kind::linear, finite>();
+            break;
+        case kind::full:
+            k = new vertexKernelTemplate<D, nSJ, kind::full, finite>();
+            break;
+    }
+    return autoPtr<vertexKernel>(k);
+}
+
+
+template<int D>
+autoPtr<vertexKernel> newVertexKernel(const vertexData& d)
+{
+    return
+        !d.finiteStrain ? newVertexKernelOf<D, 0, false>(d.reconstruction)
+      : d.nSJ ? newVertexKernelOf<D, 1, true>(d.reconstruction)
+      : newVertexKernelOf<D, 0, true>(d.reconstruction);
+}
+
+} // End namespace Foam
+
+
+// ************************************************************************* //

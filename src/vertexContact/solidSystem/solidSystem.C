@@ -1,0 +1,418 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "solidSystem.H"
+#include "dictionaryCheck.H"
+#include "uniformDimensionedFields.H"
+#include "IOdictionary.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    defineTypeNameAndDebug(solidSystem, 0);
+}
+
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- Regions of the group solid in constant/regionProperties, or the default one
+wordList regionNames(const Time& runTime)
+{
+    IOobject io
+    (
+        "regionProperties", runTime.constant(), runTime,
+        IOobject::MUST_READ, IOobject::NO_WRITE, false
+    );
+    if (!io.typeHeaderOk<IOdictionary>(true))
+    {
+        return wordList(1, polyMesh::defaultRegion);
+    }
+
+    const IOdictionary dict(io);
+    dictionaryCheck::onlyKeywords(dict, wordList({"regions"}));
+    const List<Tuple2<word, wordList>> groups
+    (
+        dict.get<List<Tuple2<word, wordList>>>("regions")
+    );
+
+    wordList names;
+    for (const auto& group : groups)
+    {
+        if (group.first() != "solid")
+        {
+            FatalIOErrorInFunction(dict)
+                << "Keyword 'regions': unknown group '" << group.first()
+                << "'. Valid groups: (solid)" << exit(FatalIOError);
+        }
+        names.append(group.second());
+    }
+    forAll(names, i)
+    {
+        for (label j = 0; j < i; ++j)
+        {
+            if (names[i] == names[j])
+            {
+                FatalIOErrorInFunction(dict)
+                    << "Keyword 'regions': region '" << names[i]
+                    << "' is listed twice" << exit(FatalIOError);
+            }
+        }
+        const fileName mesh
+        (
+            runTime.path()/runTime.constant()/names[i]/"polyMesh"
+        );
+        if (!isDir(mesh) && !Pstream::parRun())
+        {
+            FatalIOErrorInFunction(dict)
+                << "Keyword 'regions': region '" << names[i]
+                << "' has no mesh, there is no folder " << mesh
+                << exit(FatalIOError);
+        }
+    }
+    if (names.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Keyword 'regions' lists no region. Example: "
+            << "regions ( solid (bar1 bar2) );" << exit(FatalIOError);
+    }
+    return names;
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::solidSystem::energies::operator+=(const energies& e)
+{
+    kinetic += e.kinetic;
+    strain += e.strain;
+    plasticDissipation += e.plasticDissipation;
+    numericalDissipation += e.numericalDissipation;
+    externalWork += e.externalWork;
+    contactWork += e.contactWork;
+    balance += e.balance;
+}
+
+
+void Foam::solidSystem::evaluate(const scalar time, const int stage)
+{
+    for (solidBody& body : bodies_)
+    {
+        body.prepare(time);
+    }
+
+    // Contact: what is closed is decided once a step
+    for (contactInterface& contact : interfaces_)
+    {
+        contact.remember();
+    }
+    if (stage == 0)
+    {
+        for (solidBody& body : bodies_)
+        {
+            body.contact().status = Zero;
+        }
+    }
+    for (contactInterface& contact : interfaces_)
+    {
+        contact.solve(stage == 0);
+    }
+    if (stage == 0)
+    {
+        for (solidBody& body : bodies_)
+        {
+            if (body.hasContact())
+            {
+                body.dual().sharing().max(body.contact().status.data(), 1);
+            }
+        }
+    }
+
+    for (solidBody& body : bodies_)
+    {
+        body.computeRates(energiesOn_);
+    }
+}
+
+
+void Foam::solidSystem::advance(const scalar deltaT, const int stage)
+{
+    label nBad = 0;
+    forAll(bodies_, i)
+    {
+        nBad += bodies_[i].advance(deltaT, stage);
+
+        // Both stages have the weight of one half
+        const solidBody::powers& p = bodies_[i].stagePowers();
+        accounts_[i].numericalDissipation +=
+            0.5*deltaT*p.numericalDissipation;
+        accounts_[i].external += 0.5*deltaT*p.external;
+        accounts_[i].contact += 0.5*deltaT*p.contact;
+    }
+    for (contactInterface& contact : interfaces_)
+    {
+        contact.accumulate(0.5*deltaT);
+    }
+
+    if (returnReduce(nBad, sumOp<label>()) > 0)
+    {
+        stopOnBadState();
+    }
+}
+
+
+Foam::scalar Foam::solidSystem::fitToWriteTimes(const scalar deltaT) const
+{
+    const dictionary& control = runTime_.controlDict();
+    const scalar now = runTime_.value();
+    scalar next = runTime_.endTime().value();
+
+    const word writeControl
+    (
+        control.getOrDefault<word>("writeControl", "timeStep")
+    );
+    if (writeControl == "adjustableRunTime" || writeControl == "adjustable")
+    {
+        // Times are multiples of the interval, counted from the start of the
+        // run as Time does; from zero where both are the same, so that a
+        // restarted run takes the same steps to the last bit
+        const scalar interval = control.get<scalar>("writeInterval");
+        const scalar start = runTime_.startTime().value();
+        const scalar offset =
+            mag(start/interval - std::round(start/interval)) < 1e-6
+          ? 0 : start;
+        const scalar k = std::floor((now - offset)/interval + 1e-6) + 1;
+        next = min(next, offset + k*interval);
+    }
+
+    const scalar remaining = next - now;
+    if (remaining <= 0)
+    {
+        return deltaT;
+    }
+    return remaining/max(scalar(1), std::ceil(remaining/deltaT - 1e-6));
+}
+
+
+void Foam::solidSystem::stopOnBadState()
+{
+    // Say where, before the state is put back
+    string what;
+    for (const solidBody& body : bodies_)
+    {
+        const label node = body.findBadNode();
+        if (node >= 0)
+        {
+            OStringStream os;
+            os  << "region " << body.name() << ", node at "
+                << body.mesh().points()[body.dual().nodePoint()[node]]
+                << " (reference) " << body.position(node) << " (current)";
+            what = os.str();
+            break;
+        }
+    }
+    List<string> all(Pstream::nProcs());
+    all[Pstream::myProcNo()] = what;
+    Pstream::gatherList(all);
+    Pstream::scatterList(all);
+    for (const string& s : all)
+    {
+        if (s.size())
+        {
+            what = s;
+            break;
+        }
+    }
+
+    const scalar badTime = runTime_.value();
+    for (solidBody& body : bodies_)
+    {
+        body.restoreOld();
+    }
+    runTime_.setTime(startOfStep_, runTime_.timeIndex() - 1);
+    writeAll();
+
+    FatalErrorInFunction
+        << "The state is not finite or has a Jacobian that is not positive: "
+        << what.c_str() << ", in the step to time " << badTime << " s." << nl
+        << "The state at the start of this step was written to time "
+        << runTime_.timeName() << '.' << nl
+        << "Likely cures: a smaller maxCo, 'reconstruction linear' or a "
+        << "finer mesh where the deformation is largest." << exit(FatalError);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::solidSystem::solidSystem(Time& runTime)
+:
+    regIOobject
+    (
+        IOobject
+        (
+            "solidSystem", runTime.timeName(), "uniform", runTime,
+            IOobject::NO_READ, IOobject::NO_WRITE
+        )
+    ),
+    runTime_(runTime)
+{
+    checkControls();
+
+    const wordList regions(regionNames(runTime));
+    bodies_.setSize(regions.size());
+    forAll(regions, i)
+    {
+        bodies_.set(i, new solidBody(runTime, regions[i]));
+    }
+
+    IOobject contactIO
+    (
+        "contactProperties", runTime.constant(), runTime,
+        IOobject::MUST_READ, IOobject::NO_WRITE, false
+    );
+    if (contactIO.typeHeaderOk<IOdictionary>(true))
+    {
+        const IOdictionary dict(contactIO);
+        dictionaryCheck::onlyKeywords(dict, wordList({"interfaces"}));
+        const dictionary& list = dict.subDict("interfaces");
+        label n = 0;
+        interfaces_.setSize(list.size());
+        for (const entry& e : list)
+        {
+            if (!e.isDict())
+            {
+                FatalIOErrorInFunction(list)
+                    << "Keyword '" << e.keyword()
+                    << "' is not a dictionary: an interface is"
+                    << exit(FatalIOError);
+            }
+            interfaces_.set
+            (
+                n++, new contactInterface(e.keyword(), e.dict(), bodies_)
+            );
+        }
+    }
+
+    IOobject gravityIO
+    (
+        "g", runTime.constant(), runTime,
+        IOobject::MUST_READ, IOobject::NO_WRITE, false
+    );
+    if (gravityIO.typeHeaderOk<uniformDimensionedVectorField>(true))
+    {
+        const uniformDimensionedVectorField g(gravityIO);
+        if (g.dimensions() != dimAcceleration)
+        {
+            FatalErrorInFunction
+                << "File " << gravityIO.objectPath()
+                << ", keyword 'dimensions': " << g.dimensions()
+                << " should be " << dimAcceleration << exit(FatalError);
+        }
+        for (solidBody& body : bodies_)
+        {
+            body.setGravity(g.value());
+        }
+    }
+
+    accounts_.setSize(bodies_.size());
+    initialEnergy_.setSize(bodies_.size(), scalar(0));
+    readAccounts();
+    startOfRun_ = runTime_.value();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::label Foam::solidSystem::findBody(const word& region) const
+{
+    forAll(bodies_, i)
+    {
+        if (bodies_[i].name() == region) return i;
+    }
+    return -1;
+}
+
+
+void Foam::solidSystem::accountEnergies()
+{
+    energiesOn_ = true;
+}
+
+
+Foam::solidSystem::energies Foam::solidSystem::bodyEnergies
+(
+    const label i
+) const
+{
+    energies e;
+    e.kinetic = returnReduce(bodies_[i].kineticEnergy(), sumOp<scalar>());
+    e.strain = returnReduce(bodies_[i].strainEnergy(), sumOp<scalar>());
+    e.numericalDissipation =
+        returnReduce(accounts_[i].numericalDissipation, sumOp<scalar>());
+    e.externalWork = returnReduce(accounts_[i].external, sumOp<scalar>());
+    e.contactWork = returnReduce(accounts_[i].contact, sumOp<scalar>());
+    e.balance =
+        e.total() - initialEnergy_[i] + e.numericalDissipation
+      + e.plasticDissipation - e.externalWork - e.contactWork;
+    return e;
+}
+
+
+Foam::List<Foam::solidSystem::energies>
+Foam::solidSystem::computeEnergies() const
+{
+    List<energies> all(bodies_.size() + 1);
+    forAll(bodies_, i)
+    {
+        all[i] = bodyEnergies(i);
+        all.last() += all[i];
+    }
+    return all;
+}
+
+
+void Foam::solidSystem::startStep()
+{
+    startOfStep_ = runTime_.value();
+    evaluate(startOfStep_, 0);
+
+    scalar shortest = GREAT;
+    for (solidBody& body : bodies_)
+    {
+        shortest = min(shortest, body.timeScale());
+    }
+    timeStepLimit_ = returnReduce(shortest, minOp<scalar>());
+
+    const dictionary& control = runTime_.controlDict();
+    if (control.getOrDefault("adjustTimeStep", true))
+    {
+        const scalar maxCo = control.getOrDefault<scalar>("maxCo", 0.3);
+        dictionaryCheck::require(maxCo > 0, control, "maxCo", maxCo, "positive");
+        runTime_.setDeltaT(fitToWriteTimes(maxCo*timeStepLimit_), false);
+    }
+}
+
+
+void Foam::solidSystem::finishStep()
+{
+    const scalar deltaT = runTime_.deltaTValue();
+
+    advance(deltaT, 0);
+    evaluate(runTime_.value(), 1);
+    advance(deltaT, 1);
+
+    ++steps_;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,213 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "solidSystem.H"
+#include "dictionaryCheck.H"
+#include "IOdictionary.H"
+#include "OFstream.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::solidSystem::checkControls() const
+{
+    const dictionary& control = runTime_.controlDict();
+    const scalar maxCo = control.getOrDefault<scalar>("maxCo", 0.3);
+    dictionaryCheck::require(maxCo > 0, control, "maxCo", maxCo, "positive");
+    const label interval = control.getOrDefault<label>("logInterval", 100);
+    dictionaryCheck::require
+    (
+        interval > 0, control, "logInterval", interval, "positive"
+    );
+}
+
+
+void Foam::solidSystem::readAccounts()
+{
+    IOobject io
+    (
+        "solidSystem", runTime_.timeName(), "uniform", runTime_,
+        IOobject::MUST_READ, IOobject::NO_WRITE, false
+    );
+
+    bool continued = io.typeHeaderOk<IOdictionary>(true);
+    if (continued)
+    {
+        const IOdictionary dict(io);
+
+        // The time to the last bit; that of the folder's name is rounded
+        runTime_.setTime(dict.get<scalar>("time"), runTime_.timeIndex());
+
+        forAll(bodies_, i)
+        {
+            if (!dict.found(bodies_[i].name()))
+            {
+                continued = false;
+                break;
+            }
+            const dictionary& body = dict.subDict(bodies_[i].name());
+            initialEnergy_[i] = body.get<scalar>("initialEnergy");
+            if (Pstream::master())
+            {
+                accounts_[i].numericalDissipation =
+                    body.get<scalar>("numericalDissipation");
+                accounts_[i].external = body.get<scalar>("externalWork");
+                accounts_[i].contact = body.get<scalar>("contactWork");
+            }
+        }
+        for (contactInterface& contact : interfaces_)
+        {
+            if (dict.found("interface_" + contact.name()) && Pstream::master())
+            {
+                const dictionary& d =
+                    dict.subDict("interface_" + contact.name());
+                contact.setImpulse
+                (
+                    d.get<vector>("impulse"), d.get<vector>("plusImpulse")
+                );
+            }
+        }
+    }
+
+    if (!continued)
+    {
+        forAll(bodies_, i)
+        {
+            accounts_[i] = solidBody::powers();
+            initialEnergy_[i] = 0;
+            initialEnergy_[i] = bodyEnergies(i).total();
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::solidSystem::log()
+{
+    const label interval =
+        runTime_.controlDict().getOrDefault<label>("logInterval", 100);
+
+    const bool last =
+        runTime_.value()
+      > runTime_.endTime().value() - 0.5*runTime_.deltaTValue();
+    if (steps_ % interval != 0 && !last)
+    {
+        return;
+    }
+
+    label nClosed = 0;
+    for (const contactInterface& contact : interfaces_)
+    {
+        const auto& s = contact.stageStatistics();
+        nClosed += s.nStick + s.nSlip;
+    }
+    reduce(nClosed, sumOp<label>());
+
+    const scalar done = runTime_.value() - startOfRun_;
+    const scalar left = runTime_.endTime().value() - runTime_.value();
+    const scalar elapsed = clock_.elapsedTime();
+
+    Info<< "Step " << steps_ << "  Time " << runTime_.timeName()
+        << " s  deltaT " << runTime_.deltaTValue() << " s  Co "
+        << runTime_.deltaTValue()/timeStepLimit_;
+    if (energiesOn_)
+    {
+        const energies e = computeEnergies().last();
+        Info<< "  kinetic " << e.kinetic << "  strain " << e.strain
+            << "  dissipated " << e.numericalDissipation
+            << "  balance " << e.balance << " J";
+    }
+    Info<< "  contacts " << nClosed << "  left "
+        << label(done > 0 ? max(left, scalar(0))*elapsed/done : 0) << " s"
+        << endl;
+}
+
+
+void Foam::solidSystem::writeAll()
+{
+    for (solidBody& body : bodies_)
+    {
+        body.write();
+    }
+
+    // Reduced here, since every rank writes
+    List<energies> e(computeEnergies());
+
+    IOdictionary dict
+    (
+        IOobject
+        (
+            "solidSystem", runTime_.timeName(), "uniform", runTime_,
+            IOobject::NO_READ, IOobject::NO_WRITE, false
+        )
+    );
+
+    // 17 digits bring back the same double
+    OStringStream os;
+    os.precision(17);
+    os  << "time " << runTime_.value() << ';' << nl;
+    forAll(bodies_, i)
+    {
+        os  << bodies_[i].name() << nl << '{' << nl
+            << "    initialEnergy " << initialEnergy_[i] << ';' << nl
+            << "    numericalDissipation " << e[i].numericalDissipation
+            << ';' << nl
+            << "    externalWork " << e[i].externalWork << ';' << nl
+            << "    contactWork " << e[i].contactWork << ';' << nl
+            << '}' << nl;
+    }
+    for (const contactInterface& contact : interfaces_)
+    {
+        const vector impulse
+        (
+            returnReduce(contact.impulse(), sumOp<vector>())
+        );
+        const vector plusImpulse
+        (
+            returnReduce(contact.plusImpulse(), sumOp<vector>())
+        );
+        os  << "interface_" << contact.name() << nl << '{' << nl
+            << "    impulse " << impulse << ';' << nl
+            << "    plusImpulse " << plusImpulse << ';' << nl
+            << '}' << nl;
+    }
+
+    const fileName dir(runTime_.timePath()/"uniform");
+    mkDir(dir);
+    OFstream file(dir/"solidSystem");
+    dict.writeHeader(file);
+    file << os.str().c_str() << nl;
+    IOobject::writeEndDivider(file);
+}
+
+
+bool Foam::solidSystem::writeData(Ostream& os) const
+{
+    return os.good();
+}
+
+
+void Foam::solidSystem::report(Ostream& os) const
+{
+    for (const solidBody& body : bodies_)
+    {
+        os  << "Region " << body.name() << nl;
+        body.report(os);
+        os  << nl;
+    }
+    for (const contactInterface& contact : interfaces_)
+    {
+        contact.report(os);
+    }
+    if (interfaces_.empty())
+    {
+        os  << "No contact interfaces" << nl;
+    }
+    os  << endl;
+}
+
+
+// ************************************************************************* //
