@@ -39,21 +39,21 @@ wordList regionNames(const Time& runTime)
 
     const IOdictionary dict(io);
     dictionaryCheck::onlyKeywords(dict, wordList({"regions"}));
-    const List<Tuple2<word, wordList>> groups
+    const HashTable<wordList> groups
     (
-        dict.get<List<Tuple2<word, wordList>>>("regions")
+        dict.get<HashTable<wordList>>("regions")
     );
 
     wordList names;
-    for (const auto& group : groups)
+    for (const word& group : groups.sortedToc())
     {
-        if (group.first() != "solid")
+        if (group != "solid")
         {
             FatalIOErrorInFunction(dict)
-                << "Keyword 'regions': unknown group '" << group.first()
+                << "Keyword 'regions': unknown group '" << group
                 << "'. Valid groups: (solid)" << exit(FatalIOError);
         }
-        names.append(group.second());
+        names.append(groups[group]);
     }
     forAll(names, i)
     {
