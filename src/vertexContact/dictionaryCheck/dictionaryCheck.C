@@ -98,6 +98,15 @@ Foam::scalar Foam::dictionaryCheck::readNumber
             << exit(FatalIOError);
     }
 
+    // A word would be taken for the name of a dimensioned type
+    const ITstream& tokens = dict.lookup(keyword);
+    if (tokens.size() && !tokens.last().isNumber())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Keyword '" << keyword << "' is " << tokens.last()
+            << ", which is not a finite number" << exit(FatalIOError);
+    }
+
     // Reads [dimensions] where present and compares them
     const dimensionedScalar number(keyword, dims, dict);
 

@@ -76,6 +76,7 @@ Foam::materialModel::materialModel
     else if (isPair("mu", "lambda"))
     {
         mu_ = readNumber(dict, "mu", dimPressure);
+        require(mu_ > 0, dict, "mu", mu_, "positive");
         const scalar lambda = readNumber(dict, "lambda", dimPressure);
         kappa_ = lambda + 2*mu_/3;
         require
