@@ -451,8 +451,6 @@ void Foam::solidBody::computeRates(const bool energy)
     const bool reconstructed =
         options_.reconstruction != reconstructionType::none;
     const bool full = options_.reconstruction == reconstructionType::full;
-    const bool limited =
-        reconstructed && options_.limiter != limiterType::none;
 
     const auto states = [&](const label patchi)
     {
@@ -474,13 +472,8 @@ void Foam::solidBody::computeRates(const bool energy)
     scalarField& gradient = reconstructed ? data_.grad : data_.rateF;
     const label stride = reconstructed ? data_.nR*d : d*d;
     sharing.sum(gradient.data(), stride);
-    if (limited)
-    {
-        sharing.min(data_.lo.data(), data_.nR);
-        sharing.max(data_.hi.data(), data_.nR);
-    }
 
-    // Pass B: limiter
+    // Pass B: nodes
     if (symmetry_.active())
     {
         symmetry_.symmetrise(gradient.data(), stride, 2);
@@ -507,14 +500,8 @@ void Foam::solidBody::computeRates(const bool energy)
             }
         }
     }
-    if (limited)
-    {
-        kernel_->limit(data_);
-        sharing.min(data_.phi.data(), data_.nR);
-        kernel_->applyLimiter(data_);
-    }
 
-    // Pass C: fluxes
+    // Pass C: limiter and fluxes
     data_.numericalDissipation = 0;
     powers_ = powers();
     kernel_->fluxes(data_, energy);

@@ -459,7 +459,7 @@ void Foam::solidBody::report(Ostream& os) const
         << "    H solved " << onOff(s.solvesH)
         << ", J solved " << onOff(s.solvesJ)
         << ", gradients " << onOff(data_.nR > 0)
-        << ", limiter " << onOff(data_.lo.size() > 0)
+        << ", limiter " << onOff(options_.limiter != limiterType::none)
         << ", body force " << onOff(mag(max(gravity_)) + mag(min(gravity_)) > 0)
         << ", contact " << onOff(hasContact_)
         << ", plasticity off" << nl

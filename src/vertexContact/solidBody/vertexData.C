@@ -39,9 +39,6 @@ Foam::vertexData::vertexData
     ),
     W(dual.nNodes()*nW, Zero),
     grad(dual.nNodes()*nR*dual.nDim(), Zero),
-    lo(limiter == limiterType::none ? 0 : dual.nNodes()*nR, Zero),
-    hi(lo),
-    phi(lo),
     rateLm(dual.nNodes()*dual.nDim(), Zero),
     rateF(dual.nNodes()*dual.nDim()*dual.nDim(), Zero),
     rateJ(dual.nNodes()*nSJ, Zero),
@@ -58,8 +55,8 @@ std::size_t Foam::vertexData::bytes() const
       + sizeof(scalar)
        *std::size_t
         (
-            W.size() + grad.size() + lo.size() + hi.size() + phi.size()
-          + rateLm.size() + rateF.size() + rateJ.size() + waveSum.size()
+            W.size() + grad.size() + rateLm.size() + rateF.size()
+          + rateJ.size() + waveSum.size()
         );
 }
 

@@ -6,6 +6,7 @@
 
 #include "vertexKernelTemplate.H"
 #include <cmath>
+#include <type_traits>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -55,7 +56,7 @@ inline SolidVector<D> vertexKernelTemplate<D, nSJ, R, finite>::waveArea
 
 
 template<int D, int nSJ, reconstructionType R, bool finite>
-template<bool energy>
+template<limiterType limiter, bool energy>
 void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
 {
     const label* edge = d.dual.edgeNodes().cdata();
@@ -97,11 +98,15 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
             const scalar* gb = grad + b*nR*D;
             for (int k = 0; k < nR; ++k)
             {
+                scalar da = 0, db = 0;
                 for (int i = 0; i < D; ++i)
                 {
-                    L[k] += ga[k*D + i]*r[i];
-                    Rt[k] -= gb[k*D + i]*r[i];
+                    da += ga[k*D + i]*r[i];
+                    db += gb[k*D + i]*r[i];
                 }
+                const scalar difference = Wb[k] - Wa[k];
+                L[k] += slopeLimiter::limited<limiter>(da, difference);
+                Rt[k] -= slopeLimiter::limited<limiter>(db, difference);
             }
         }
 
@@ -192,57 +197,6 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
     if constexpr (energy)
     {
         d.numericalDissipation += dissipation;
-    }
-}
-
-
-template<int D, int nSJ, reconstructionType R, bool finite>
-template<limiterType L>
-void vertexKernelTemplate<D, nSJ, R, finite>::limitLoop(vertexData& d) const
-{
-    if constexpr (!none)
-    {
-        const label* edge = d.dual.edgeNodes().cdata();
-        const scalar* X = d.dual.nodePosition().cdata();
-        const scalar* W = d.W.cdata();
-        const scalar* grad = d.grad.cdata();
-        const scalar* lo = d.lo.cdata();
-        const scalar* hi = d.hi.cdata();
-        scalar* phi = d.phi.data();
-
-        const label nEdges = d.dual.nEdges();
-
-        for (label e = 0; e < nEdges; ++e)
-        {
-            const label ends[2] = {edge[2*e], edge[2*e + 1]};
-            SolidVector<D> r;
-            for (int i = 0; i < D; ++i)
-            {
-                r[i] = 0.5*(X[ends[1]*D + i] - X[ends[0]*D + i]);
-            }
-
-            for (int side = 0; side < 2; ++side)
-            {
-                const label a = ends[side];
-                for (int k = 0; k < nR; ++k)
-                {
-                    scalar delta = 0;
-                    for (int i = 0; i < D; ++i)
-                    {
-                        delta += grad[(a*nR + k)*D + i]*r[i];
-                    }
-                    if (side == 1) delta = -delta;
-
-                    const scalar u = W[a*nW + k];
-                    const scalar l = lo[a*nR + k], h = hi[a*nR + k];
-                    const scalar f =
-                        L == limiterType::BarthJespersen
-                      ? slopeLimiter::BarthJespersen(u, l, h, delta)
-                      : slopeLimiter::Venkatakrishnan(u, l, h, delta);
-                    phi[a*nR + k] = min(phi[a*nR + k], f);
-                }
-            }
-        }
     }
 }
 
@@ -361,32 +315,6 @@ void vertexKernelTemplate<D, nSJ, R, finite>::gradients(vertexData& d) const
                 }
             }
         }
-
-        if (d.limiter != limiterType::none)
-        {
-            scalar* lo = d.lo.data();
-            scalar* hi = d.hi.data();
-            const label n = d.nNodes();
-            for (label a = 0; a < n; ++a)
-            {
-                for (int k = 0; k < nR; ++k)
-                {
-                    lo[a*nR + k] = hi[a*nR + k] = W[a*nW + k];
-                }
-            }
-            for (label e = 0; e < nEdges; ++e)
-            {
-                const label a = edge[2*e], b = edge[2*e + 1];
-                for (int k = 0; k < nR; ++k)
-                {
-                    const scalar ua = W[a*nW + k], ub = W[b*nW + k];
-                    lo[a*nR + k] = min(lo[a*nR + k], ub);
-                    hi[a*nR + k] = max(hi[a*nR + k], ub);
-                    lo[b*nR + k] = min(lo[b*nR + k], ua);
-                    hi[b*nR + k] = max(hi[b*nR + k], ua);
-                }
-            }
-        }
     }
 }
 
@@ -476,35 +404,6 @@ void vertexKernelTemplate<D, nSJ, R, finite>::scaleGradients
 
 
 template<int D, int nSJ, reconstructionType R, bool finite>
-void vertexKernelTemplate<D, nSJ, R, finite>::limit(vertexData& d) const
-{
-    d.phi = scalar(1);
-    if (d.limiter == limiterType::BarthJespersen)
-    {
-        limitLoop<limiterType::BarthJespersen>(d);
-    }
-    else
-    {
-        limitLoop<limiterType::Venkatakrishnan>(d);
-    }
-}
-
-
-template<int D, int nSJ, reconstructionType R, bool finite>
-void vertexKernelTemplate<D, nSJ, R, finite>::applyLimiter
-(
-    vertexData& d
-) const
-{
-    const label n = d.phi.size();
-    for (label k = 0; k < n; ++k)
-    {
-        for (int i = 0; i < D; ++i) d.grad[k*D + i] *= d.phi[k];
-    }
-}
-
-
-template<int D, int nSJ, reconstructionType R, bool finite>
 void vertexKernelTemplate<D, nSJ, R, finite>::relaxFree
 (
     const vertexData& d,
@@ -572,13 +471,36 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxes
         d.rateF = Zero;
     }
 
-    if (energy)
+    const auto run = [&](auto limiter)
     {
-        fluxLoop<true>(d);
+        if (energy)
+        {
+            fluxLoop<decltype(limiter)::value, true>(d);
+        }
+        else
+        {
+            fluxLoop<decltype(limiter)::value, false>(d);
+        }
+    };
+
+    using type = limiterType;
+    if (none || d.limiter == type::none)
+    {
+        run(std::integral_constant<type, type::none>());
+    }
+    else if (d.limiter == type::BarthJespersen)
+    {
+        if constexpr (!none)
+        {
+            run(std::integral_constant<type, type::BarthJespersen>());
+        }
     }
     else
     {
-        fluxLoop<false>(d);
+        if constexpr (!none)
+        {
+            run(std::integral_constant<type, type::Venkatakrishnan>());
+        }
     }
 }
 
