@@ -57,7 +57,38 @@ Foam::word Foam::dictionaryCheck::nearest
             best = w;
         }
     }
-    return best;
+    // Beyond half of its letters a proposal would be a guess
+    return 2*bestDistance <= label(given.size()) ? best : word();
+}
+
+
+namespace
+{
+
+//- The question, if there is something to propose
+Foam::string proposal
+(
+    const Foam::word& given,
+    const Foam::UList<Foam::word>& valid
+)
+{
+    const Foam::word best(Foam::dictionaryCheck::nearest(given, valid));
+    return
+        best.empty() ? Foam::string()
+      : Foam::string(" Did you mean '" + best + "'?");
+}
+
+} // End anonymous namespace
+
+
+Foam::string Foam::dictionaryCheck::listed(const UList<word>& words)
+{
+    string text("(");
+    forAll(words, i)
+    {
+        text += (i ? " " : "") + words[i];
+    }
+    return text + ")";
 }
 
 
@@ -76,9 +107,9 @@ void Foam::dictionaryCheck::onlyKeywords
         }
 
         FatalIOErrorInFunction(dict)
-            << "Unknown keyword '" << key << "'. Did you mean '"
-            << nearest(key, valid) << "'?" << nl
-            << "Valid keywords: " << flatOutput(wordList(valid))
+            << "Unknown keyword '" << key << "'."
+            << proposal(key, valid).c_str() << nl
+            << "Valid keywords: " << listed(valid).c_str()
             << exit(FatalIOError);
     }
 }
@@ -163,9 +194,9 @@ void Foam::dictionaryCheck::unknownModel
     Foam::sort(sorted);
 
     FatalIOErrorInFunction(dict)
-        << "Keyword '" << keyword << "': unknown value '" << given
-        << "'. Did you mean '" << nearest(given, sorted) << "'?" << nl
-        << "Valid values: " << flatOutput(sorted) << exit(FatalIOError);
+        << "Keyword '" << keyword << "': unknown value '" << given << "'."
+        << proposal(given, sorted).c_str() << nl
+        << "Valid values: " << listed(sorted).c_str() << exit(FatalIOError);
 }
 
 

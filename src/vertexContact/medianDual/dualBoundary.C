@@ -26,6 +26,7 @@ License
 #include "processorPolyPatch.H"
 #include "simplexDecomposition.H"
 #include "solutionNodes.H"
+#include "meshFile.H"
 
 #include <cmath>
 
@@ -263,12 +264,12 @@ static label facePoints
         }
     }
 
-    FatalErrorInFunction
+    FatalFileErrorInFunction(meshFile(mesh))
         << "Region " << mesh.name() << ": a face of patch " << patch.name()
         << " at " << f.centre(mesh.points()) << nl
         << "    lies in the plane that empty patches take out of this "
         << nodes.nDim << "D mesh: the patch should be empty."
-        << exit(FatalError);
+        << exit(FatalIOError);
 
     return 0;
 }

@@ -22,6 +22,7 @@ License
 #include "dualElements.H"
 #include "polyMesh.H"
 #include "solutionNodes.H"
+#include "meshFile.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -361,7 +362,7 @@ Foam::dualElements::dualElements
 
         if (!known)
         {
-            FatalErrorInFunction
+            FatalFileErrorInFunction(meshFile(mesh))
                 << "Region " << mesh.name() << ": cell " << celli << " at "
                 << mesh.cellCentres()[celli] << ", with " << outward.size()
                 << " faces, is no "
@@ -378,7 +379,7 @@ Foam::dualElements::dualElements
                 << " cells that are refined on one side only" << nl
                 << "    cannot be decomposed into simplices without new"
                 << " vertices."
-                << exit(FatalError);
+                << exit(FatalIOError);
         }
     }
 

@@ -28,6 +28,7 @@ License
 #include "sharedEdges.H"
 #include "simplexDecomposition.H"
 #include "solutionNodes.H"
+#include "meshFile.H"
 
 #include <cmath>
 
@@ -177,17 +178,17 @@ static void addElements
 
     if (nInverted)
     {
-        FatalErrorInFunction
+        FatalFileErrorInFunction(meshFile(mesh))
             << "Region " << mesh.name() << ": cell " << firstInverted
             << " at " << mesh.cellCentres()[firstInverted]
             << " is inverted or has no volume";
 
         if (nInverted > 1)
         {
-            FatalError<< ", as are " << nInverted - 1 << " others";
+            FatalIOError<< ", as are " << nInverted - 1 << " others";
         }
 
-        FatalError
+        FatalIOError
             << ":" << nl
             << "    it has no split into simplices with positive volumes"
             <<
@@ -197,7 +198,7 @@ static void addElements
               : ""
             )
             << ". checkMesh may tell more."
-            << exit(FatalError);
+            << exit(FatalIOError);
     }
 }
 
@@ -291,7 +292,7 @@ Foam::medianDual::medianDual(const polyMesh& mesh, const cellTreatment cells)
     {
         if (!(nodeVolume_[node] > 0))
         {
-            FatalErrorInFunction
+            FatalFileErrorInFunction(meshFile(mesh))
                 << "Region " << mesh.name() << ": point "
                 << nodes.nodePoint[node] << " at "
                 << mesh.points()[nodes.nodePoint[node]]
@@ -299,7 +300,7 @@ Foam::medianDual::medianDual(const polyMesh& mesh, const cellTreatment cells)
                 << nl
                 << "    Either no cell uses it, or the cells around it are"
                 << " badly distorted."
-                << exit(FatalError);
+                << exit(FatalIOError);
         }
     }
 

@@ -24,6 +24,7 @@ License
 #include "polyMesh.H"
 #include "processorPolyPatch.H"
 #include "wedgePolyPatch.H"
+#include "meshFile.H"
 
 // * * * * * * * * * * * * * * * * Local Data  * * * * * * * * * * * * * * * //
 
@@ -62,13 +63,13 @@ static void checkPatches(const polyMesh& mesh)
 
         if (coupled || isA<wedgePolyPatch>(patch))
         {
-            FatalErrorInFunction
+            FatalFileErrorInFunction(meshFile(mesh))
                 << "Region " << mesh.name() << ": patch " << patch.name()
                 << " is of type " << patch.type() << '.' << nl
                 << "    Bodies have no wedge, cyclic or non-conformal"
                 << " patches: join the mesh, or use symmetryPlane," << nl
                 << "    or (between bodies) a contact interface."
-                << exit(FatalError);
+                << exit(FatalIOError);
         }
     }
 }
@@ -121,14 +122,14 @@ void Foam::solutionNodes::collapse(const polyMesh& mesh)
             }
             else if (across > sqr(straightness)*along)
             {
-                FatalErrorInFunction
+                FatalFileErrorInFunction(meshFile(mesh))
                     << "Region " << mesh.name() << ": the edge from "
                     << points[p] << " to " << points[q]
                     << " is neither along nor across the empty direction"
                     << (nDim == 1 ? "s" : "") << '.' << nl
                     << "    A mesh with empty patches has to be one straight"
                     << " layer of cells along a coordinate axis."
-                    << exit(FatalError);
+                    << exit(FatalIOError);
             }
         }
     }
@@ -203,14 +204,14 @@ void Foam::solutionNodes::check(const polyMesh& mesh)
     {
         if (nPoints[node] != nPointsOfNode)
         {
-            FatalErrorInFunction
+            FatalFileErrorInFunction(meshFile(mesh))
                 << "Region " << mesh.name() << ": " << nPoints[node]
                 << " points lie behind each other at "
                 << points[nodePoint[node]] << ", where a " << nDim
                 << "D mesh has " << nPointsOfNode << '.' << nl
                 << "    A mesh with empty patches has to be exactly one cell"
                 << " thick, and have empty patches on both sides."
-                << exit(FatalError);
+                << exit(FatalIOError);
         }
 
         scalar extent = 1;
@@ -233,12 +234,12 @@ void Foam::solutionNodes::check(const polyMesh& mesh)
     {
         if (largest - smallest > straightness*largest)
         {
-            FatalErrorInFunction
+            FatalFileErrorInFunction(meshFile(mesh))
                 << "Region " << mesh.name() << ": the "
                 << (nDim == 2 ? "thickness" : "cross-section")
                 << " of the " << nDim << "D mesh is not constant, it is from "
                 << smallest << " to " << largest << '.'
-                << exit(FatalError);
+                << exit(FatalIOError);
         }
 
         thickness = 0.5*(smallest + largest);
@@ -271,10 +272,10 @@ Foam::solutionNodes::solutionNodes(const polyMesh& mesh)
 
     if (nDim == 0)
     {
-        FatalErrorInFunction
+        FatalFileErrorInFunction(meshFile(mesh))
             << "Region " << mesh.name() << ": empty patches take out all"
             << " three directions; they have to be normal to a coordinate axis."
-            << exit(FatalError);
+            << exit(FatalIOError);
     }
 
     if (nDim == 3)

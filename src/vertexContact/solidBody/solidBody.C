@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "solidBody.H"
+#include "fileError.H"
 #include "Time.H"
 #include "emptyPolyPatch.H"
 #include "processorPolyPatch.H"
@@ -108,12 +109,11 @@ const Foam::solidBoundaryCondition& Foam::solidBody::condition
 
     if (!bc)
     {
-        FatalErrorInFunction
-            << "File " << pointU_.objectPath() << ": patch '"
-            << pf.patch().name() << "' has the boundary condition '"
+        FatalFileErrorInFunction(pointU_.objectPath())
+            << "Keyword 'boundaryField': patch '" << pf.patch().name() << "' has the boundary condition '"
             << pf.type() << "', which is not one of a solid." << nl
             << "Valid conditions: (contact fixedVelocity pressure slip "
-            << "symmetryPlane traction tractionFree)" << exit(FatalError);
+            << "symmetryPlane traction tractionFree)" << exit(FatalIOError);
     }
 
     return *bc;
@@ -309,7 +309,8 @@ Foam::label Foam::solidBody::contactPatch
         FatalIOErrorInFunction(dict)
             << "Keyword '" << keyword << "': region '" << name_
             << "' has no patch '" << patch << "'." << nl
-            << "Its patches: " << flatOutput(mesh_.boundaryMesh().names())
+            << "Its patches: "
+            << dictionaryCheck::listed(mesh_.boundaryMesh().names()).c_str()
             << exit(FatalIOError);
     }
 
@@ -325,6 +326,20 @@ Foam::label Foam::solidBody::contactPatch
     }
 
     return patchi;
+}
+
+
+Foam::labelList Foam::solidBody::contactPatches() const
+{
+    DynamicList<label> patches;
+    forAll(corners_, patchi)
+    {
+        if (corners_.set(patchi) && condition(patchi).contact())
+        {
+            patches.append(patchi);
+        }
+    }
+    return labelList(patches);
 }
 
 

@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "solidBody.H"
+#include "fileError.H"
 #include "Time.H"
 #include "pointFields.H"
 
@@ -36,10 +37,9 @@ Foam::solidBody::readIfPresent
 
         if (field->dimensions() != dims)
         {
-            FatalErrorInFunction
-                << "File " << io.objectPath() << ", keyword 'dimensions': "
-                << field->dimensions() << " should be " << dims
-                << exit(FatalError);
+            FatalFileErrorInFunction(io.objectPath())
+                << "Keyword 'dimensions' is " << field->dimensions()
+                << ": it must be " << dims << exit(FatalIOError);
         }
         for (const Type& value : field->primitiveField())
         {
@@ -47,10 +47,9 @@ Foam::solidBody::readIfPresent
             {
                 if (!std::isfinite(component(value, c)))
                 {
-                    FatalErrorInFunction
-                        << "File " << io.objectPath()
-                        << ", keyword 'internalField': a value is not finite"
-                        << exit(FatalError);
+                    FatalFileErrorInFunction(io.objectPath())
+                        << "Keyword 'internalField': a value is not finite"
+                        << exit(FatalIOError);
                 }
             }
         }
@@ -102,19 +101,17 @@ void Foam::solidBody::readState()
 
     if (pointU_.dimensions() != dimVelocity)
     {
-        FatalErrorInFunction
-            << "File " << pointU_.objectPath() << ", keyword 'dimensions': "
-            << pointU_.dimensions() << " should be " << dimVelocity
-            << exit(FatalError);
+        FatalFileErrorInFunction(pointU_.objectPath())
+            << "Keyword 'dimensions' is " << pointU_.dimensions()
+            << ": it must be " << dimVelocity << exit(FatalIOError);
     }
     for (const vector& v : pointU_.primitiveField())
     {
         if (!(std::isfinite(v.x() + v.y() + v.z())))
         {
-            FatalErrorInFunction
-                << "File " << pointU_.objectPath()
-                << ", keyword 'internalField': a value is not finite"
-                << exit(FatalError);
+            FatalFileErrorInFunction(pointU_.objectPath())
+                << "Keyword 'internalField': a value is not finite"
+                << exit(FatalIOError);
         }
     }
 
@@ -380,7 +377,7 @@ void Foam::solidBody::write()
     writeField<scalar>
     (
         "pressure", dimPressure,
-        [&](const label a) { return -tr(CauchyStress(a))/3; }
+        [&](const label a) { return 0 - tr(CauchyStress(a))/3; }
     );
 
     if (hasContact_)

@@ -449,7 +449,7 @@ void vertexKernelTemplate<D, nSJ, R, finite>::relaxFree
             {
                 const scalar residual =
                     mag(here) < mag(inside) ? here : -inside;
-                c.vB[k] -= (residual/c.zp)*c.n[k];
+                c.vB[k] -= (releasedShare*residual/c.zp)*c.n[k];
             }
         }
     }

@@ -6,6 +6,7 @@
 
 #include "solidSystem.H"
 #include "dictionaryCheck.H"
+#include "fileError.H"
 #include "uniformDimensionedFields.H"
 #include "IOdictionary.H"
 
@@ -303,6 +304,32 @@ Foam::solidSystem::solidSystem(Time& runTime)
         }
     }
 
+    // A contact patch outside all interfaces would silently be free
+    for (const solidBody& body : bodies_)
+    {
+        for (const label patchi : body.contactPatches())
+        {
+            bool named = false;
+            for (const contactInterface& contact : interfaces_)
+            {
+                for (const contactSide* s : {&contact.minus(), &contact.plus()})
+                {
+                    named =
+                        named || (s->body == &body && s->patchi == patchi);
+                }
+            }
+            if (!named)
+            {
+                FatalFileErrorInFunction(contactIO.objectPath())
+                    << "Keyword 'interfaces': no interface has patch '"
+                    << body.mesh().boundaryMesh()[patchi].name()
+                    << "' of region '" << body.name()
+                    << "' as a side, but its boundary condition in pointU is "
+                    << "'contact'" << exit(FatalIOError);
+            }
+        }
+    }
+
     IOobject gravityIO
     (
         "g", runTime.constant(), runTime,
@@ -313,10 +340,9 @@ Foam::solidSystem::solidSystem(Time& runTime)
         const uniformDimensionedVectorField g(gravityIO);
         if (g.dimensions() != dimAcceleration)
         {
-            FatalErrorInFunction
-                << "File " << gravityIO.objectPath()
-                << ", keyword 'dimensions': " << g.dimensions()
-                << " should be " << dimAcceleration << exit(FatalError);
+            FatalFileErrorInFunction(gravityIO.objectPath())
+                << "Keyword 'dimensions' is " << g.dimensions()
+                << ": it must be " << dimAcceleration << exit(FatalIOError);
         }
         for (solidBody& body : bodies_)
         {

@@ -110,19 +110,25 @@ void Foam::solidSystem::log()
     const scalar left = runTime_.endTime().value() - runTime_.value();
     const scalar elapsed = clock_.elapsedTime();
 
-    Info<< "Step " << steps_ << "  Time " << runTime_.timeName()
+    // The file's precision would make the line unreadable
+    OSstream& os = Info;
+    const int precision = os.precision(6);
+
+    os  << "Step " << steps_ << "  Time " << runTime_.value()
         << " s  deltaT " << runTime_.deltaTValue() << " s  Co "
         << runTime_.deltaTValue()/timeStepLimit_;
     if (energiesOn_)
     {
         const energies e = computeEnergies().last();
-        Info<< "  kinetic " << e.kinetic << "  strain " << e.strain
+        os  << "  kinetic " << e.kinetic << "  strain " << e.strain
             << "  dissipated " << e.numericalDissipation
             << "  balance " << e.balance << " J";
     }
-    Info<< "  contacts " << nClosed << "  left "
+    os  << "  contacts " << nClosed << "  left "
         << label(done > 0 ? max(left, scalar(0))*elapsed/done : 0) << " s"
         << endl;
+
+    os.precision(precision);
 }
 
 

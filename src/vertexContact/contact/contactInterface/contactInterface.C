@@ -56,7 +56,7 @@ Foam::contactSide Foam::contactInterface::readSide
 
     FatalIOErrorInFunction(dict)
         << "Keyword 'sides': there is no region '" << sides[which].first()
-        << "'." << nl << "Regions: " << flatOutput(names)
+        << "'." << nl << "Regions: " << dictionaryCheck::listed(names).c_str()
         << exit(FatalIOError);
 
     return contactSide();

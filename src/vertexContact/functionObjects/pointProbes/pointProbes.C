@@ -72,7 +72,7 @@ Foam::List<Foam::scalar> Foam::functionObjects::pointProbes::values
     {
         return List<scalar>(1, std::sqrt(1.5*magSqr(dev(sigma))));
     }
-    return List<scalar>(1, -tr(sigma)/3);
+    return List<scalar>(1, 0 - tr(sigma)/3);
 }
 
 
@@ -101,7 +101,7 @@ Foam::functionObjects::pointProbes::pointProbes
     {
         FatalIOErrorInFunction(dict)
             << "Keyword 'region' is missing. Regions: "
-            << flatOutput(regions) << exit(FatalIOError);
+            << dictionaryCheck::listed(regions).c_str() << exit(FatalIOError);
     }
     const word region(dict.getOrDefault<word>("region", regions[0]));
     const label bodyi = solids_.findBody(region);

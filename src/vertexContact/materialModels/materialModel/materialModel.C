@@ -87,7 +87,7 @@ Foam::materialModel::materialModel
     else
     {
         FatalIOErrorInFunction(dict)
-            << "Elastic constants given: " << flatOutput(given) << nl
+            << "Elastic constants given: " << listed(given).c_str() << nl
             << "Give exactly one of the pairs (E nu), (mu lambda), "
             << "(mu kappa)" << exit(FatalIOError);
     }
