@@ -1,0 +1,83 @@
+"""Allrun and Allclean of the tutorials, as a user calls them."""
+
+import shutil
+
+import pytest
+
+from caseTools import checked, copyTutorials, execute, root
+
+TUTORIALS = sorted(
+    str(file.parent.relative_to(root/"tutorials"))
+    for file in (root/"tutorials").rglob("Allrun"))
+SETTINGS = {"MESH": "32"}   # coarse
+
+
+@pytest.fixture
+def repository(tmp_path):
+    """A copy of the tutorials under git, with the project's ignore rules."""
+    folder = copyTutorials(tmp_path/"tutorials")
+    shutil.copy(root/".gitignore", tmp_path)
+    checked(["git", "init", "-q"], tmp_path)
+    checked(["git", "add", "-A"], tmp_path)
+    return folder
+
+
+def changes(repository):
+    """Files made, ignored or not, and changed or removed ones."""
+    return (checked(["git", "ls-files", "--others"], repository)
+            + checked(["git", "diff", "--name-status"], repository)).split()
+
+
+@pytest.mark.parametrize("tutorial", TUTORIALS)
+def test_tutorial(repository, figures, tmp_path, tutorial):
+    case = repository/tutorial
+    allrun = str(case/"Allrun")         # called from elsewhere
+    output = checked([allrun], tmp_path, **SETTINGS)
+    assert len(output.splitlines()) < 20
+    pictures = sorted(case.glob("*.png"))
+    assert pictures and all(p.stat().st_size > 10000 for p in pictures)
+    first = (case/"postProcessing/solidEnergies/0/energies.dat").read_bytes()
+
+    # Nothing but what git ignores
+    untracked = checked(["git", "status", "--porcelain"], repository)
+    untracked = [line for line in untracked.splitlines()
+                 if not line.startswith("A  ")]
+    assert untracked == []
+
+    checked([allrun], tmp_path, **SETTINGS)
+    second = (case/"postProcessing/solidEnergies/0/energies.dat").read_bytes()
+    checked([str(case/"Allclean")], tmp_path)
+    with figures(f"7 {tutorial}") as f:
+        f.equal("second Allrun repeats the first", first == second, True)
+        f.equal("files left by Allclean", changes(repository), [])
+
+
+@pytest.mark.parametrize("tutorial", TUTORIALS)
+def test_copied_case(tmp_path, tutorial):
+    """A case that was copied on its own runs in the active environment."""
+    tutorials = copyTutorials(tmp_path/"tutorials")
+    case = tmp_path/"mine"
+    (tutorials/tutorial).rename(case)
+    shutil.rmtree(tutorials)
+    checked(["./Allrun"], case, **SETTINGS, PLOT="0")
+    assert not list(case.glob("*.png"))
+
+
+@pytest.mark.parametrize("variable, value", (
+    ("MESH", "V"), ("MESH", "-3"), ("NP", "0"), ("NP", "two")))
+def test_wrong_option(repository, variable, value):
+    case = repository/TUTORIALS[0]
+    done = execute(["./Allrun"], case, PLOT="0",
+                   **{**SETTINGS, variable: value})
+    assert done.returncode != 0
+    assert "FAILED" in done.stdout and f"{variable}={value}" in done.stdout
+
+
+def test_failure_is_reported(repository):
+    """The program that failed, the end of its log and an exit code."""
+    case = repository/TUTORIALS[0]
+    (case/"constant"/"bar2"/"mechanicalProperties").unlink()
+    done = execute(["./Allrun"], case, PLOT="0", **SETTINGS)
+    assert done.returncode != 0
+    assert "FAILED: vertexContactFoam" in done.stdout
+    assert "FOAM FATAL" in done.stdout

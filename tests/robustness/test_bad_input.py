@@ -1,0 +1,168 @@
+"""Wrong input: one clear message, an exit code, and no time step."""
+
+import re
+import shutil
+
+import pytest
+
+import caseTools
+from caseTools import Case, Scene, execute, timeFolders
+
+
+@pytest.fixture(scope="module")
+def good(tmp_path_factory):
+    """A meshed case that has not run yet."""
+    case = Scene(elements=8).prepare(tmp_path_factory.mktemp("good"))
+    shutil.copytree(case/"0.orig", case/"0")
+    (case/"system"/"caseParameters").write_text("nElements 8;\n")
+    case.set("system/controlDict", {
+        "endTime": 0.01, "writeInterval": 0.01, "writeFormat": "ascii"})
+    for bar in "bar1", "bar2":
+        caseTools.checked(["blockMesh", "-region", bar], case.path)
+    return case
+
+
+def edit(file, entries):
+    return lambda case: case.set(file, entries)
+
+
+def replace(file, pattern, by):
+    return lambda case: case.replace(file, pattern, by)
+
+
+def remove(file):
+    def action(case):
+        path = case/file
+        shutil.rmtree(path) if path.is_dir() else path.unlink()
+    return action
+
+
+def invertCell(case):
+    """Put the second node of bar 2 behind its first."""
+    case.replace("constant/bar2/polyMesh/points",
+                 r"\(11\.26 ", "(9.9 ")
+
+
+material = "constant/bar1/mechanicalProperties"
+schemes = "system/bar1/fvSchemes"
+contact = "constant/contactProperties"
+velocity = "0/bar1/pointU"
+
+# What is wrong, how it gets wrong, and what the message must name
+CASES = {
+    "keyword of a material": (
+        edit(material, {"Young": 3}), ("mechanicalProperties", "Young")),
+    "keyword of vertexCentred": (
+        edit(schemes, {"vertexCentred/limitter": "none"}),
+        ("fvSchemes", "vertexCentred", "limitter", "limiter")),
+    "keyword of an interface": (
+        edit(contact, {"interfaces/bars/paring": "AMI"}),
+        ("contactProperties", "paring", "pairing")),
+    "keyword of a contact law": (
+        edit(contact, {"interfaces/bars/law/friction": 0.3}),
+        ("contactProperties", "friction")),
+    "keyword of a boundary condition": (
+        replace(velocity, r"tractionFree;", "tractionFree; preasure 3;"),
+        ("pointU", "preasure")),
+    "unknown material": (
+        edit(material, {"type": "neoHokean"}),
+        ("mechanicalProperties", "neoHokean", "neoHookean")),
+    "unknown reconstruction": (
+        edit(schemes, {"vertexCentred/reconstruction": "quadratic"}),
+        ("fvSchemes", "quadratic", "full")),
+    "unknown cells": (
+        edit(schemes, {"vertexCentred/cells": "simplical"}),
+        ("fvSchemes", "simplical", "simplicial")),
+    "unknown pairing": (
+        edit(contact, {"interfaces/bars/pairing": "matchin"}),
+        ("contactProperties", "matchin", "matching")),
+    "unknown contact law": (
+        edit(contact, {"interfaces/bars/law/type": "frictionles"}),
+        ("contactProperties", "frictionles", "frictionless")),
+    "unknown boundary condition": (
+        replace(velocity, "tractionFree", "tractionfree"),
+        ("pointU", "tractionfree", "tractionFree")),
+    "missing density": (
+        replace(material, r"rho .*\n", "\n"), ("mechanicalProperties", "rho")),
+    "missing boundary condition": (
+        replace(velocity, r"left\s*\{[^}]*\}", ""), ("pointU", "left")),
+    "interface without a contact patch": (
+        replace(velocity, r"contact;", "tractionFree;"),
+        ("bar1", "right", "contact")),
+    "unknown patch": (
+        replace(contact, r"\(bar1 right\)", "(bar1 rihgt)"),
+        ("contactProperties", "rihgt")),
+    "unknown region of an interface": (
+        replace(contact, r"\(bar1 right\)", "(bar3 right)"),
+        ("contactProperties", "bar3")),
+    "region without a mesh": (
+        replace("constant/regionProperties", "bar2", "bar3"), ("bar3",)),
+    "negative density": (
+        edit(material, {"rho": -0.01}),
+        ("mechanicalProperties", "rho", "-0.01")),
+    "zero density": (
+        edit(material, {"rho": 0}), ("mechanicalProperties", "rho")),
+    "Poisson's ratio of 0.5": (
+        edit(material, {"nu": 0.5}), ("mechanicalProperties", "nu", "0.5")),
+    "Poisson's ratio above 0.5": (
+        edit(material, {"nu": 0.7}), ("mechanicalProperties", "nu", "0.7")),
+    "negative stiffness": (
+        edit(material, {"E": -100}), ("mechanicalProperties", "E", "-100")),
+    "dimensions of the density": (
+        replace(material, r"rho  ", "rho [0 1 -1 0 0 0 0] "),
+        ("mechanicalProperties", "rho")),
+    "not a number": (
+        replace(material, r"E( +)100", r"E\g<1>stiff"),
+        ("mechanicalProperties", "E", "stiff")),
+    "the same side twice": (
+        replace(contact, r"\(bar2 left\)", "(bar1 right)"),
+        ("contactProperties", "bar1", "right")),
+    "dimensions of the velocity": (
+        replace(velocity, r"\[0 1 -1 0 0 0 0\]", "[0 1 0 0 0 0 0]"),
+        ("pointU", "dimensions")),
+    "contact patch without an interface": (
+        replace(contact, r"(?s)interfaces.*", "interfaces {}\n"),
+        ("bar1", "right", "contact")),
+    "missing velocity": (remove(velocity), ("pointU", "bar1")),
+    "missing material": (remove(material), ("mechanicalProperties",)),
+    "missing contactProperties": (remove(contact), ("contactProperties",)),
+    "inverted cell": (invertCell, ("bar2",)),
+    "maxCo of zero": (
+        edit("system/controlDict", {"maxCo": 0}), ("controlDict", "maxCo")),
+}
+
+
+@pytest.fixture
+def case(good, tmp_path):
+    return Case(shutil.copytree(good.path, tmp_path/"case"))
+
+
+def test_good_input(case):
+    """What the cases below are made of has no fault of its own."""
+    done = execute(["vertexContactFoam"], case.path)
+    assert done.returncode == 0, done.stdout
+    assert "0.01" in timeFolders(case.path)
+
+
+@pytest.mark.parametrize("what", CASES)
+def test_bad_input(case, what):
+    action, named = CASES[what]
+    action(case)
+    done = execute(["vertexContactFoam"], case.path)
+    output = done.stdout
+
+    assert done.returncode != 0, output
+    messages = re.findall(r"--> FOAM FATAL(?: IO)? ERROR", output)
+    assert len(messages) == 1, output
+    message = output[output.index("--> FOAM FATAL"):]
+    for name in named:
+        assert name in message, f"no '{name}' in\n{message}"
+    for trace in "sigSegv", "sigFpe":
+        assert trace not in output, output
+
+    # Before the first step
+    assert timeFolders(case.path) == ["0"]
+    for table in (case/"postProcessing").rglob("*.dat"):
+        rows = [line for line in table.read_text().splitlines()
+                if not line.startswith("#")]
+        assert all(float(row.split()[0]) == 0 for row in rows), table

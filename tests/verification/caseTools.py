@@ -1,0 +1,191 @@
+"""Copy tutorials, change them, run them, and read their results."""
+
+import os
+import re
+import shutil
+import subprocess
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+
+import numpy as np
+from foamlib import FoamFile
+
+import readResults
+
+root = Path(__file__).resolve().parents[2]
+timeLimit = 1200    # of one program, in seconds
+
+
+def execute(command, folder, **environment):
+    """Run a program; never raises for its exit code. Standard output and
+    error come together in .stdout."""
+    return subprocess.run(
+        command, cwd=folder,
+        env={**os.environ, "PWD": str(folder), **environment},
+        stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT, text=True, errors="replace",
+        timeout=timeLimit)
+
+
+def checked(command, folder, **environment):
+    """The same, but an exit code other than 0 is an error."""
+    done = execute(command, folder, **environment)
+    if done.returncode != 0:
+        raise RuntimeError(f"{command} in {folder}: exit code "
+                           f"{done.returncode}\n{done.stdout[-3000:]}")
+    return done.stdout
+
+
+def copyTutorials(destination):
+    """A clean copy of tutorials/, without results."""
+    made = shutil.ignore_patterns(
+        "0", "[1-9]*", "0.[0-9]*", "processor[0-9]*", "postProcessing",
+        "polyMesh", "log.*", "*.png", "caseParameters", "__pycache__")
+    return Path(shutil.copytree(root/"tutorials", destination, ignore=made))
+
+
+def timeFolders(folder):
+    """Names of the time folders, in order of time."""
+    names = [entry.name for entry in Path(folder).iterdir()
+             if re.fullmatch(r"[0-9.]+(e[-+]?[0-9]+)?", entry.name)]
+    return sorted(names, key=float)
+
+
+class Case:
+    """A case folder, with its results."""
+
+    def __init__(self, path):
+        self.path = Path(path)
+
+    def __truediv__(self, name):
+        return self.path/name
+
+    def set(self, file, entries):
+        """Change entries of a dictionary; keys of sub-dictionaries with
+        slashes, as in 'vertexCentred/cells'."""
+        dictionary = FoamFile(self.path/file)
+        with dictionary:
+            for key, value in entries.items():
+                dictionary[tuple(key.split("/"))] = value
+
+    def replace(self, file, pattern, by):
+        """Replace a regular expression, which must be there."""
+        text = (self.path/file).read_text()
+        text, count = re.subn(pattern, by, text)
+        if count == 0:
+            raise ValueError(f"no '{pattern}' in {self.path/file}")
+        (self.path/file).write_text(text)
+
+    def log(self, program="vertexContactFoam"):
+        return (self.path/f"log.{program}").read_text(errors="replace")
+
+    @cached_property
+    def energies(self):
+        return readResults.table(self.path, "solidEnergies", "energies.dat")
+
+    @cached_property
+    def momentum(self):
+        return readResults.table(self.path, "solidEnergies", "momentum.dat")
+
+    def contact(self, interface="bars"):
+        return readResults.table(
+            self.path, "contactForces", f"{interface}.dat")
+
+    def probe(self, functionObject, field):
+        return readResults.probe(self.path, functionObject, field)
+
+    @property
+    def totalEnergy(self):
+        return self.energies["total:kinetic"] + self.energies["total:strain"]
+
+    def field(self, time, region, name):
+        """Values of a point field, one row a point."""
+        file = FoamFile(self.path/time/region/name)
+        nPoints = len(self.points(region))
+        values = np.asarray(file["internalField"], dtype=float)
+        if values.ndim == 0 or len(values) != nPoints:
+            values = np.broadcast_to(values, (nPoints, *values.shape))
+        return values.reshape(nPoints, -1)
+
+    def points(self, region):
+        file = self.path/"constant"/region/"polyMesh"/"points"
+        return np.asarray(FoamFile(file)[None], dtype=float).reshape(-1, 3)
+
+
+@dataclass(frozen=True)
+class Scene:
+    """A two-bar run: a tutorial and what is different from it."""
+
+    tutorial: str = "similar"
+    elements: int = 1024
+    dimensions: int = 1
+    across: int = 1             # elements over the width (and height)
+    scheme: tuple = ()          # ((keyword, value), ...) of vertexCentred
+    control: tuple = ()         # ((keyword, value), ...) of controlDict
+    ranks: int = 1
+
+    def prepare(self, folder):
+        tutorials = copyTutorials(folder/"tutorials")
+        case = Case(tutorials/"twoBarImpact"/self.tutorial)
+        for bar in "bar1", "bar2":
+            case.set(f"system/{bar}/fvSchemes", {
+                f"vertexCentred/{k}": v for k, v in self.scheme})
+        case.set("system/controlDict", dict(self.control))
+
+        size = self.across*10/self.elements
+        block = {}
+        if self.dimensions > 1:
+            block |= {"nWidth": self.across, "width": size,
+                      "widthSides": "symmetryPlane"}
+        if self.dimensions > 2:
+            block |= {"nHeight": self.across, "height": size,
+                      "heightSides": "symmetryPlane"}
+        for key, value in block.items():
+            case.replace("system/barBlock", rf"(?m)^{key}( +)\S+;",
+                         rf"{key}\g<1>{value};")
+        for sides, dimension in (r"bottom\|top", 2), (r"front\|back", 3):
+            if self.dimensions >= dimension:
+                for bar in "bar1", "bar2":
+                    case.replace(f"0.orig/{bar}/pointU",
+                                 rf'("\({sides}\)"\s*{{\s*type\s+)empty',
+                                 r"\1symmetryPlane")
+        return case
+
+    def run(self, folder):
+        case = self.prepare(folder)
+        checked(["./Allrun"], case.path, MESH=str(self.elements),
+                NP=str(self.ranks), PLOT="0")
+        return case
+
+
+class Runs:
+    """Runs scenes in the background, each once."""
+
+    def __init__(self, folder):
+        self.folder = Path(folder)
+        self.pool = ThreadPoolExecutor(max(1, len(os.sched_getaffinity(0))))
+        self.futures = {}
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.pool.shutdown(cancel_futures=True)
+
+    def start(self, scene):
+        if scene not in self.futures:
+            folder = self.folder/f"scene{len(self.futures)}"
+            self.futures[scene] = self.pool.submit(scene.run, folder)
+        return self.futures[scene]
+
+    def result(self, scene):
+        return self.start(scene).result()
+
+
+def relativeL1(times, values, exact):
+    """Integral of |values - exact| over that of |exact|, in time."""
+    times = np.asarray(times)
+    return (np.trapezoid(np.abs(values - exact), times)
+            / np.trapezoid(np.abs(exact), times))

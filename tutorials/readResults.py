@@ -1,0 +1,64 @@
+"""Read what the function objects of vertexContact write to postProcessing."""
+
+from pathlib import Path
+
+import numpy as np
+
+_BRACKETS = str.maketrans("()", "  ")
+
+
+def _segments(case, functionObject, name):
+    """Files of that name in the folders of all start times, in order."""
+    folder = Path(case)/"postProcessing"/functionObject
+    files = sorted(folder.glob(f"*/{name}"), key=lambda f: float(f.parent.name))
+    if not files:
+        raise FileNotFoundError(f"no {folder}/<time>/{name}")
+    return files
+
+
+def _read(file):
+    """Header lines, and the numbers as an array with a row for each line."""
+    header, rows = [], []
+    with open(file) as lines:
+        for line in lines:
+            (header if line.startswith("#") else rows).append(line)
+    rows = [row for row in rows if row.strip()]
+    if not rows:
+        return header, np.empty((0, 0))
+    numbers = np.array(" ".join(rows).translate(_BRACKETS).split(), dtype=float)
+    return header, numbers.reshape(len(rows), -1)
+
+
+def _joined(files):
+    """Segments one after the other; where a run was repeated from an earlier
+    time on, the later segment counts."""
+    data = None
+    for file in files:
+        header, rows = _read(file)
+        if not rows.size:
+            continue
+        if data is not None:
+            data = data[data[:, 0] < rows[0, 0]]
+        data = rows if data is None else np.vstack((data, rows))
+    if data is None:
+        raise ValueError(f"no rows in {files[-1]}")
+    return header, data
+
+
+def table(case, functionObject, name):
+    """Columns of a table as a dictionary, keys without units: 'Time',
+    'bar1:kinetic' ..."""
+    header, data = _joined(_segments(case, functionObject, name))
+    keys = [key.split("[")[0] for key in header[-1].lstrip("#").split()]
+    if len(keys) != data.shape[1]:
+        raise ValueError(f"{functionObject}/{name}: {len(keys)} names for "
+                         f"{data.shape[1]} columns")
+    return dict(zip(keys, data.T))
+
+
+def probe(case, functionObject, field, point=0):
+    """Times and values, an array (time, component), at one of the points."""
+    header, data = _joined(_segments(case, functionObject, field))
+    nPoints = sum(line.startswith("# Probe") and "(" in line for line in header)
+    values = data[:, 1:].reshape(len(data), nPoints, -1)
+    return data[:, 0], values[:, point]
