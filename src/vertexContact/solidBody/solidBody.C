@@ -288,6 +288,12 @@ Foam::solidBody::solidBody(const Time& runTime, const word& region)
     }
     dual_.sharing().sum(boundaryArea_.data(), 1);
 
+    if (symmetry_.active())
+    {
+        data_.mirrorArea = dual_.edgeArea();
+        symmetry_.projectEdges(dual_, data_.mirrorArea);
+    }
+
     makeCorners();
     readState();
 }

@@ -230,7 +230,7 @@ void Foam::solidBody::deformationFromDisplacement()
             const scalar avg = 0.5*(s.disp[a*d + i] + s.disp[b*d + i]);
             for (label j = 0; j < d; ++j)
             {
-                const scalar f = avg*dual_.edgeArea()[e*d + j];
+                const scalar f = avg*data_.edgeArea()[e*d + j];
                 G[(a*d + i)*d + j] += f;
                 G[(b*d + i)*d + j] -= f;
             }
@@ -238,6 +238,10 @@ void Foam::solidBody::deformationFromDisplacement()
     }
     for (const dualPatch& patch : dual_.patches())
     {
+        if (mirrorPatches_.found(patch.patchIndex))
+        {
+            continue;
+        }
         for (label f = 0; f < patch.nFaces(); ++f)
         {
             const label start = patch.faceStart[f];
@@ -263,6 +267,7 @@ void Foam::solidBody::deformationFromDisplacement()
         }
     }
     dual_.sharing().sum(G.data(), d*d);
+    symmetry_.symmetrise(G.data(), d*d, 2);
 
     for (label a = 0; a < dual_.nNodes(); ++a)
     {

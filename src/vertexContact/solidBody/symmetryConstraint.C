@@ -132,6 +132,61 @@ Foam::symmetryConstraint::symmetryConstraint
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+void Foam::symmetryConstraint::projectEdges
+(
+    const medianDual& dual,
+    scalarField& area
+) const
+{
+    const label d = nDim_;
+    labelList place(dual.nNodes(), -1);
+    forAll(nodes_, i)
+    {
+        place[nodes_[i]] = i;
+    }
+
+    const scalar* X = dual.nodePosition().cdata();
+    for (label e = 0; e < dual.nEdges(); ++e)
+    {
+        const label a = dual.edgeNodes()[2*e], b = dual.edgeNodes()[2*e + 1];
+        if (place[a] < 0 || place[b] < 0)
+        {
+            continue;
+        }
+
+        scalar rr = 0;
+        for (label j = 0; j < d; ++j) rr += sqr(X[b*d + j] - X[a*d + j]);
+
+        for (label k = start_[place[a]]; k < start_[place[a] + 1]; ++k)
+        {
+            // In the mirror of a: normal to it, with the same normal at b
+            const scalar* n = normals_.cdata() + k*d;
+            scalar along = 0, areaN = 0;
+            for (label j = 0; j < d; ++j)
+            {
+                along += n[j]*(X[b*d + j] - X[a*d + j]);
+                areaN += n[j]*area[e*d + j];
+            }
+            bool shared = false;
+            for (label m = start_[place[b]]; m < start_[place[b] + 1]; ++m)
+            {
+                scalar cosine = 0;
+                for (label j = 0; j < d; ++j)
+                {
+                    cosine += n[j]*normals_[m*d + j];
+                }
+                shared = shared || mag(cosine) > 1 - 1e-9;
+            }
+            if (shared && sqr(along) < 1e-12*rr)
+            {
+                for (label j = 0; j < d; ++j) area[e*d + j] -= areaN*n[j];
+            }
+        }
+    }
+}
+
+
+
 Foam::scalar Foam::symmetryConstraint::project(scalarField& v) const
 {
     const label d = nDim_;

@@ -55,7 +55,7 @@ std::size_t Foam::vertexData::bytes() const
       + sizeof(scalar)
        *std::size_t
         (
-            W.size() + grad.size() + rateLm.size() + rateF.size()
+            mirrorArea.size() + W.size() + grad.size() + rateLm.size() + rateF.size()
           + rateJ.size() + waveSum.size()
         );
 }

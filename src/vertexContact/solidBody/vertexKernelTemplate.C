@@ -60,7 +60,7 @@ template<limiterType limiter, bool energy>
 void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
 {
     const label* edge = d.dual.edgeNodes().cdata();
-    const scalar* area = d.dual.edgeArea().cdata();
+    const scalar* area = d.edgeArea();
     const scalar* X = d.dual.nodePosition().cdata();
     const scalar* W = d.W.cdata();
     const scalar* grad = d.grad.cdata();
@@ -105,8 +105,22 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
                     db += gb[k*D + i]*r[i];
                 }
                 const scalar difference = Wb[k] - Wa[k];
-                L[k] += slopeLimiter::limited<limiter>(da, difference);
-                Rt[k] -= slopeLimiter::limited<limiter>(db, difference);
+                if (k < atP)
+                {
+                    L[k] += slopeLimiter::limited<limiter>(da, difference);
+                    Rt[k] -= slopeLimiter::limited<limiter>(db, difference);
+                }
+                else
+                {
+                    // Of the stress only the average enters the flux
+                    const scalar both =
+                        slopeLimiter::averageCorrection<limiter>
+                        (
+                            0.5*(da - db), difference
+                        );
+                    L[k] += both;
+                    Rt[k] += both;
+                }
             }
         }
 
@@ -119,7 +133,19 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
         // acoustic dissipation of the velocity jump, times area
         SolidVector<D> jump, t;
         for (int i = 0; i < D; ++i) jump[i] = Rt[i] - L[i];
-        const scalar jumpN = cc > 0 ? dot(jump, c)/cc : 0;
+        scalar jumpN = cc > 0 ? dot(jump, c)/cc : 0;
+        if constexpr (linear)
+        {
+            // The proof of monotone energy needs a jump that dissipates with
+            // the difference of the nodes, which two limited values may not
+            SolidVector<D> dv;
+            for (int i = 0; i < D; ++i) dv[i] = Wb[i] - Wa[i];
+            if (halfZs*dot(dv, jump) + (halfZp - halfZs)*jumpN*dot(dv, c) < 0)
+            {
+                for (int i = 0; i < D; ++i) jump[i] = 0;
+                jumpN = 0;
+            }
+        }
         for (int i = 0; i < D; ++i)
         {
             scalar PN = 0;
@@ -161,7 +187,8 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
         scalar fluxJ = 0;
         if constexpr (nSJ == 1)
         {
-            fluxJ = perZp*cc/magC*(Rt[D] - L[D]);
+            fluxJ = magC > 0 ? perZp*cc/magC*(Rt[D] - L[D]) : 0;
+            if (linear && fluxJ*(Wb[D] - Wa[D]) < 0) fluxJ = 0;
             rateJ[a] += fluxJ;
             rateJ[b] -= fluxJ;
         }
@@ -271,7 +298,7 @@ template<int D, int nSJ, reconstructionType R, bool finite>
 void vertexKernelTemplate<D, nSJ, R, finite>::gradients(vertexData& d) const
 {
     const label* edge = d.dual.edgeNodes().cdata();
-    const scalar* area = d.dual.edgeArea().cdata();
+    const scalar* area = d.edgeArea();
     const scalar* W = d.W.cdata();
     const label nEdges = d.dual.nEdges();
 
