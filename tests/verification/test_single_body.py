@@ -299,14 +299,15 @@ def spin(omega, centre=(0.5, 0.5, 0.5), axis=2):
 
 
 @pytest.mark.parametrize("reconstruction, limiter, drift", (
-    ("linear", "BarthJespersen", 0.02), ("full", "none", 0.02),
-    ("full", "BarthJespersen", 0.2)))
+    ("linear", "BarthJespersen", 0.06), ("full", "none", 0.002),
+    ("full", "BarthJespersen", 0.15)))
 def test_pressure_on_a_rotating_body(tmp_path, figures, reconstruction,
                                      limiter, drift):
     """A body that rotates and rings under pressure from all sides: the load
     turns with it. Its resultant and moment vanish and its work is
     -p (volume change), whatever the deformation; up to errors of the mesh.
-    The limiter of 'full' acts on components of stress, which has a moment."""
+    Limited jumps of velocity at extrema, component by component, take part in
+    the rotation and brake it: the drifts with a limiter are what that costs."""
     p, omega, T = 0.1, 0.2, 5
     load = condition("pressure", pressure=p)
     sides = {side: load for side in ("left", "right", "bottom", "top")}
@@ -412,9 +413,9 @@ def test_symmetry(tmp_path, figures, dimensions, limiter):
 @pytest.mark.parametrize("dimensions", (2, 3))
 def test_rigid_rotation(tmp_path, figures, dimensions, reconstruction):
     """A free block in rotation, half a revolution, at a speed of a tenth of
-    that of waves: linear momentum is zero, angular momentum is kept, and
-    energy grows in no step by more than the small amounts that non-monotone
-    reconstruction brings."""
+    that of waves: linear momentum is zero and angular momentum is kept.
+    'linear' is monotone, at the price of some energy on these coarse meshes;
+    'full' gains small amounts."""
     omega = 0.1
     n = 8 if dimensions == 2 else 4
     body = block(dimensions, n, amplitude=0.2, velocity=spin(omega),
@@ -431,12 +432,13 @@ def test_rigid_rotation(tmp_path, figures, dimensions, reconstruction):
     with figures(f"rigid rotation, {dimensions}D, {reconstruction}") as f:
         f.atMost("change of momentum / (mass omega L)",
                  largest(p - p[0])/omega, 1e-12)
-        f.atMost("drift of angular momentum", largest(L/L[0] - 1), 0.02)
-        f.within("energy at the end / initial", total[-1]/total[0], 0.995,
-                 0.005 if reconstruction == "linear" else 0.015)
+        f.atMost("drift of angular momentum", largest(L/L[0] - 1), 0.03)
+        f.within("energy at the end / initial", total[-1]/total[0],
+                 *(0.97, 0.03) if reconstruction == "linear"
+                 else (0.995, 0.015))
         f.atMost("largest gain of a step / initial energy",
                  np.max(np.diff(total))/total[0],
-                 1e-6 if reconstruction == "linear" else 2e-5)
+                 1e-9 if reconstruction == "linear" else 1e-5)
         f.within("angle of half a revolution / pi",
                  np.mod(turned, 2*np.pi)/np.pi, 1, 0.02)
 
