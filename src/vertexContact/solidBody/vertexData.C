@@ -55,8 +55,8 @@ std::size_t Foam::vertexData::bytes() const
       + sizeof(scalar)
        *std::size_t
         (
-            mirrorArea.size() + W.size() + grad.size() + rateLm.size() + rateF.size()
-          + rateJ.size() + waveSum.size()
+            mirrorArea.size() + W.size() + grad.size() + rateLm.size()
+          + rateF.size() + rateJ.size() + waveSum.size()
         );
 }
 

@@ -423,7 +423,10 @@ void Foam::solidSystem::startStep()
     if (control.getOrDefault("adjustTimeStep", true))
     {
         const scalar maxCo = control.getOrDefault<scalar>("maxCo", 0.3);
-        dictionaryCheck::require(maxCo > 0, control, "maxCo", maxCo, "positive");
+        dictionaryCheck::require
+        (
+            maxCo > 0, control, "maxCo", maxCo, "positive"
+        );
         runTime_.setDeltaT(fitToWriteTimes(maxCo*timeStepLimit_), false);
     }
 }

@@ -37,6 +37,9 @@ void Foam::solidSystem::readAccounts()
     {
         const IOdictionary dict(io);
 
+        // Accounts that were not kept cannot be continued
+        continued = dict.getOrDefault("energiesOn", false);
+
         // The time to the last bit; that of the folder's name is rounded
         runTime_.setTime(dict.get<scalar>("time"), runTime_.timeIndex());
 
@@ -154,7 +157,8 @@ void Foam::solidSystem::writeAll()
     // 17 digits bring back the same double
     OStringStream os;
     os.precision(17);
-    os  << "time " << runTime_.value() << ';' << nl;
+    os  << "time " << runTime_.value() << ';' << nl
+        << "energiesOn " << (energiesOn_ ? "yes" : "no") << ';' << nl;
     forAll(bodies_, i)
     {
         os  << bodies_[i].name() << nl << '{' << nl

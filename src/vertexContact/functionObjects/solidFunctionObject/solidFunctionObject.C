@@ -81,7 +81,8 @@ void Foam::functionObjects::solidFunctionObject::checkKeywords
     ({
         "type", "libs", "functionObjectLibs", "enabled", "log", "region",
         "timeStart", "timeEnd", "executeControl", "executeInterval",
-        "writeControl", "writeInterval", "controlMode", "errors", "useNamePrefix"
+        "writeControl", "writeInterval", "controlMode", "errors",
+        "useNamePrefix"
     });
     valid.append(specific);
     dictionaryCheck::onlyKeywords(dict, valid);

@@ -40,7 +40,10 @@ public:
 
     explicit Coulomb(const dictionary& dict)
     {
-        dictionaryCheck::onlyKeywords(dict, wordList({"type", "frictionCoeff"}));
+        dictionaryCheck::onlyKeywords
+        (
+            dict, wordList({"type", "frictionCoeff"})
+        );
         k_ = dictionaryCheck::readNumber(dict, "frictionCoeff", dimless);
         dictionaryCheck::require
         (
