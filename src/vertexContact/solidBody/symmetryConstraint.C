@@ -186,7 +186,6 @@ void Foam::symmetryConstraint::projectEdges
 }
 
 
-
 Foam::scalar Foam::symmetryConstraint::project(scalarField& v) const
 {
     const label d = nDim_;

@@ -112,7 +112,7 @@ void Foam::solidSystem::evaluate(const scalar time, const int stage)
         body.prepare(time);
     }
 
-    // Contact: what is closed is decided once a step
+    // Contact: gaps close and open by the status of the latest first stage
     for (contactInterface& contact : interfaces_)
     {
         contact.remember();
@@ -192,7 +192,8 @@ Foam::scalar Foam::solidSystem::fitToWriteTimes(const scalar deltaT) const
         const scalar offset =
             mag(start/interval - std::round(start/interval)) < 1e-6
           ? 0 : start;
-        const scalar k = std::floor((now - offset)/interval + 1e-6) + 1;
+        const scalar slack = min(scalar(1e-6), 1e-3*deltaT/interval);
+        const scalar k = std::floor((now - offset)/interval + slack) + 1;
         next = min(next, offset + k*interval);
     }
 
@@ -236,18 +237,35 @@ void Foam::solidSystem::stopOnBadState()
     }
 
     const scalar badTime = runTime_.value();
-    for (solidBody& body : bodies_)
+    forAll(bodies_, i)
     {
-        body.restoreOld();
+        bodies_[i].restoreOld();
+        accounts_[i] = oldAccounts_[i];
+        bodies_[i].contact().status = oldStatus_[i];
+    }
+    forAll(interfaces_, i)
+    {
+        interfaces_[i].setImpulse
+        (
+            oldImpulses_[i].first(), oldImpulses_[i].second()
+        );
     }
     runTime_.setTime(startOfStep_, runTime_.timeIndex() - 1);
-    writeAll();
+
+    // The state that the run started from is there already
+    string written("Nothing was written: this was the first step.");
+    if (startOfStep_ != startOfRun_)
+    {
+        writeAll();
+        written =
+            "The state at the start of this step was written to time "
+          + runTime_.timeName() + '.';
+    }
 
     FatalErrorInFunction
         << "The state is not finite or has a Jacobian that is not positive: "
         << what.c_str() << ", in the step to time " << badTime << " s." << nl
-        << "The state at the start of this step was written to time "
-        << runTime_.timeName() << '.' << nl
+        << written.c_str() << nl
         << "Likely cures: a smaller maxCo, 'reconstruction linear' or a "
         << "finer mesh where the deformation is largest." << exit(FatalError);
 }
@@ -351,9 +369,19 @@ Foam::solidSystem::solidSystem(Time& runTime)
     }
 
     accounts_.setSize(bodies_.size());
+    oldStatus_.setSize(bodies_.size());
+    oldImpulses_.setSize(interfaces_.size());
     initialEnergy_.setSize(bodies_.size(), scalar(0));
     readAccounts();
     startOfRun_ = runTime_.value();
+
+    // Time::run() compares the end with deltaT, which is not ours before the
+    // first step
+    const scalar left = runTime_.endTime().value() - startOfRun_;
+    if (runTime_.controlDict().getOrDefault("adjustTimeStep", true) && left > 0)
+    {
+        runTime_.setDeltaT(min(runTime_.deltaTValue(), 0.5*left), false);
+    }
 }
 
 
@@ -371,6 +399,15 @@ Foam::label Foam::solidSystem::findBody(const word& region) const
 
 void Foam::solidSystem::accountEnergies()
 {
+    // Works and dissipation count from now
+    if (!energiesOn_ && !accountsContinued_)
+    {
+        forAll(bodies_, i)
+        {
+            initialEnergy_[i] = 0;
+            initialEnergy_[i] = bodyEnergies(i).total();
+        }
+    }
     energiesOn_ = true;
 }
 
@@ -409,7 +446,19 @@ Foam::solidSystem::computeEnergies() const
 
 void Foam::solidSystem::startStep()
 {
+    // What a step that goes wrong has to put back
     startOfStep_ = runTime_.value();
+    oldAccounts_ = accounts_;
+    forAll(bodies_, i)
+    {
+        oldStatus_[i] = bodies_[i].contact().status;
+    }
+    forAll(interfaces_, i)
+    {
+        oldImpulses_[i].first() = interfaces_[i].impulse();
+        oldImpulses_[i].second() = interfaces_[i].plusImpulse();
+    }
+
     evaluate(startOfStep_, 0);
 
     scalar shortest = GREAT;

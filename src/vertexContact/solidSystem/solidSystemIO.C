@@ -7,7 +7,8 @@
 #include "solidSystem.H"
 #include "dictionaryCheck.H"
 #include "IOdictionary.H"
-#include "OFstream.H"
+#include "IStringStream.H"
+#include "OStringStream.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -37,20 +38,28 @@ void Foam::solidSystem::readAccounts()
     {
         const IOdictionary dict(io);
 
-        // Accounts that were not kept cannot be continued
-        continued = dict.getOrDefault("energiesOn", false);
+        // The time to the last bit: that of the folder's name is rounded.
+        // Another time: the folder is the copy of a result, a new start
+        const scalar exact = dict.get<scalar>("time");
+        const bool sameTime =
+            runTime_.timeName(exact) == runTime_.timeName();
+        if (sameTime)
+        {
+            runTime_.setTime(exact, runTime_.timeIndex());
+        }
 
-        // The time to the last bit; that of the folder's name is rounded
-        runTime_.setTime(dict.get<scalar>("time"), runTime_.timeIndex());
+        // Accounts that were not kept cannot be continued
+        continued = sameTime && dict.getOrDefault("energiesOn", false);
 
         forAll(bodies_, i)
         {
-            if (!dict.found(bodies_[i].name()))
+            const word key("region_" + bodies_[i].name());
+            if (!dict.found(key))
             {
                 continued = false;
                 break;
             }
-            const dictionary& body = dict.subDict(bodies_[i].name());
+            const dictionary& body = dict.subDict(key);
             initialEnergy_[i] = body.get<scalar>("initialEnergy");
             if (Pstream::master())
             {
@@ -62,7 +71,11 @@ void Foam::solidSystem::readAccounts()
         }
         for (contactInterface& contact : interfaces_)
         {
-            if (dict.found("interface_" + contact.name()) && Pstream::master())
+            if
+            (
+                sameTime && Pstream::master()
+             && dict.found("interface_" + contact.name())
+            )
             {
                 const dictionary& d =
                     dict.subDict("interface_" + contact.name());
@@ -74,6 +87,7 @@ void Foam::solidSystem::readAccounts()
         }
     }
 
+    accountsContinued_ = continued;
     if (!continued)
     {
         forAll(bodies_, i)
@@ -90,8 +104,11 @@ void Foam::solidSystem::readAccounts()
 
 void Foam::solidSystem::log()
 {
-    const label interval =
-        runTime_.controlDict().getOrDefault<label>("logInterval", 100);
+    const label interval = max
+    (
+        label(1),
+        runTime_.controlDict().getOrDefault<label>("logInterval", 100)
+    );
 
     const bool last =
         runTime_.value()
@@ -128,8 +145,8 @@ void Foam::solidSystem::log()
             << "  balance " << e.balance << " J";
     }
     os  << "  contacts " << nClosed << "  left "
-        << label(done > 0 ? max(left, scalar(0))*elapsed/done : 0) << " s"
-        << endl;
+        << (done > 0 ? std::round(max(left, scalar(0))*elapsed/done) : 0)
+        << " s" << endl;
 
     os.precision(precision);
 }
@@ -145,15 +162,6 @@ void Foam::solidSystem::writeAll()
     // Reduced here, since every rank writes
     List<energies> e(computeEnergies());
 
-    IOdictionary dict
-    (
-        IOobject
-        (
-            "solidSystem", runTime_.timeName(), "uniform", runTime_,
-            IOobject::NO_READ, IOobject::NO_WRITE, false
-        )
-    );
-
     // 17 digits bring back the same double
     OStringStream os;
     os.precision(17);
@@ -161,7 +169,7 @@ void Foam::solidSystem::writeAll()
         << "energiesOn " << (energiesOn_ ? "yes" : "no") << ';' << nl;
     forAll(bodies_, i)
     {
-        os  << bodies_[i].name() << nl << '{' << nl
+        os  << "region_" << bodies_[i].name() << nl << '{' << nl
             << "    initialEnergy " << initialEnergy_[i] << ';' << nl
             << "    numericalDissipation " << e[i].numericalDissipation
             << ';' << nl
@@ -185,12 +193,18 @@ void Foam::solidSystem::writeAll()
             << '}' << nl;
     }
 
-    const fileName dir(runTime_.timePath()/"uniform");
-    mkDir(dir);
-    OFstream file(dir/"solidSystem");
-    dict.writeHeader(file);
-    file << os.str().c_str() << nl;
-    IOobject::writeEndDivider(file);
+    const IOdictionary dict
+    (
+        IOobject
+        (
+            "solidSystem", runTime_.timeName(), "uniform", runTime_,
+            IOobject::NO_READ, IOobject::NO_WRITE, false
+        ),
+        dictionary(IStringStream(os.str())())
+    );
+    const auto precision = IOstream::defaultPrecision(17);
+    dict.regIOobject::write();
+    IOstream::defaultPrecision(precision);
 }
 
 

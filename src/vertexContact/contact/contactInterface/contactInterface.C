@@ -244,7 +244,10 @@ void Foam::contactInterface::solve(const bool firstStage)
 
         answerMessage toMinus(noAnswer()), toPlus(noAnswer());
         toMinus[8] = toPlus[8] = gap_[o];
-        stats.penetration = max(stats.penetration, -gap_[o]);
+        if (p.touching && !law_->bonded())
+        {
+            stats.penetration = max(stats.penetration, -gap_[o]);
+        }
 
         if (s.state == acousticRiemann::status::open)
         {
@@ -292,6 +295,7 @@ void Foam::contactInterface::solve(const bool firstStage)
 
     if (pairing_->distributed())
     {
+        // Assigns: a plus corner has one partner only (see matching)
         pairing_->map().reverseDistribute(P.size(), noAnswer(), answers_);
     }
     forAll(answers_, k)
@@ -299,16 +303,7 @@ void Foam::contactInterface::solve(const bool firstStage)
         apply(plus_, k, answers_[k], firstStage);
     }
 
-    if (firstStage)
-    {
-        statistics_ = stats;
-    }
-    else
-    {
-        // The impulse needs the forces of both stages
-        statistics_.force = stats.force;
-        statistics_.plusForce = stats.plusForce;
-    }
+    statistics_ = stats;
 }
 
 

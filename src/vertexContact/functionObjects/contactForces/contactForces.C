@@ -61,8 +61,6 @@ Foam::functionObjects::contactForces::contactForces
             files_.set(i, file.ptr());
         }
     }
-
-    write();
 }
 
 

@@ -9,6 +9,7 @@
 #include "globalIndex.H"
 #include "indexedOctree.H"
 #include "treeDataPoint.H"
+#include "HashSet.H"
 #include "ListListOps.H"
 #include "addToRunTimeSelectionTable.H"
 
@@ -67,9 +68,32 @@ Foam::vector Foam::contactPairings::matching::areaVector
 }
 
 
+Foam::labelList Foam::contactPairings::matching::facing
+(
+    const contactSide& side,
+    const vector& direction
+)
+{
+    const dualPatch& patch = side.body->dual().patches()[side.patchi];
+    const label d = side.body->dual().nDim();
+
+    DynamicList<label> corners(patch.nCorners());
+    for (label k = 0; k < patch.nCorners(); ++k)
+    {
+        const vector N(side.body->expand(patch.cornerNormal.cdata() + k*d));
+        if ((N & direction) > 0.01)
+        {
+            corners.append(k);
+        }
+    }
+    return labelList(corners);
+}
+
+
 void Foam::contactPairings::matching::identify
 (
     const contactSide& side,
+    const labelList& corners,
     vectorField& place,
     scalarField& size
 )
@@ -78,8 +102,8 @@ void Foam::contactPairings::matching::identify
     const dualPatch& patch = dual.patches()[side.patchi];
     const label d = dual.nDim();
 
-    place.setSize(patch.nCorners());
-    size.setSize(patch.nCorners());
+    vectorField allPlaces(patch.nCorners());
+    scalarField allSizes(patch.nCorners());
 
     const auto X = [&](const label k)
     {
@@ -97,13 +121,16 @@ void Foam::contactPairings::matching::identify
 
         for (label k = start; k < end; ++k)
         {
-            place[k] = 0.75*X(k) + 0.25*centre;
-            size[k] =
+            allPlaces[k] = 0.75*X(k) + 0.25*centre;
+            allSizes[k] =
                 end - start > 1
               ? mag(X(k) - centre)
               : side.body->depth(side.patchi)[k];
         }
     }
+
+    place = vectorField(allPlaces, corners);
+    size = scalarField(allSizes, corners);
 }
 
 
@@ -121,7 +148,13 @@ Foam::contactPairings::matching::matching
     vector direction(Zero);
     if (dict.found("direction"))
     {
-        direction = dict.get<vector>("direction");
+        direction = minus.body->projected(dict.get<vector>("direction"));
+        if (mag(direction) < SMALL)
+        {
+            FatalIOErrorInFunction(dict)
+                << "Keyword 'direction' has no component in the solution "
+                << "directions" << exit(FatalIOError);
+        }
     }
     else if (mag(Sm - Sp) > 0.1*(mag(Sm) + mag(Sp)))
     {
@@ -142,12 +175,23 @@ Foam::contactPairings::matching::matching
     // Corners of both sides in the plane across the gap
     vectorField placeMinus, placePlus;
     scalarField sizeMinus, sizePlus;
-    identify(minus, placeMinus, sizeMinus);
-    identify(plus, placePlus, sizePlus);
+    labelList cornersMinus(facing(minus, direction));
+    labelList cornersPlus(facing(plus, -direction));
+    identify(minus, cornersMinus, placeMinus, sizeMinus);
+    identify(plus, cornersPlus, placePlus, sizePlus);
     for (vector& p : placeMinus) p -= (p & direction)*direction;
     for (vector& p : placePlus) p -= (p & direction)*direction;
 
-    const globalIndex plusIndex(placePlus.size());
+    const globalIndex plusIndex
+    (
+        plus.body->dual().patches()[plus.patchi].nCorners()
+    );
+    labelList globalPlus(cornersPlus);
+    for (label& k : globalPlus)
+    {
+        k = plusIndex.toGlobal(k);
+    }
+    const labelList allGlobal(gathered(globalPlus));
     const pointField allPlus(gathered(placePlus));
 
     DynamicList<label> corners, partners;
@@ -174,9 +218,27 @@ Foam::contactPairings::matching::matching
             );
             if (hit.hit())
             {
-                corners.append(k);
-                partners.append(hit.index());
+                corners.append(cornersMinus[k]);
+                partners.append(allGlobal[hit.index()]);
             }
+        }
+    }
+
+    // Pairs are one to one
+    const labelList allPartners(gathered(labelList(partners)));
+    labelHashSet taken(2*allPartners.size());
+    for (const label partner : allPartners)
+    {
+        if (!taken.insert(partner))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Keyword 'pairing': several corners of "
+                << minus.body->name() << ' ' << minus.patchName
+                << " coincide with the same corner of " << plus.body->name()
+                << ' ' << plus.patchName << " when projected along "
+                << direction << '.' << nl
+                << "'pairing matching' needs surfaces that face the gap once"
+                << exit(FatalIOError);
         }
     }
 
