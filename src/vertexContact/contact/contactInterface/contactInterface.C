@@ -66,7 +66,7 @@ Foam::contactSide Foam::contactInterface::readSide
 Foam::contactInterface::answerMessage Foam::contactInterface::noAnswer()
 {
     answerMessage none(scalar(0));
-    none[8] = GREAT;
+    none[7] = GREAT;
     return none;
 }
 
@@ -83,9 +83,9 @@ void Foam::contactInterface::apply
     solidBody::contactOutput& out = side.body->contact();
     const label node = c.geometry.cornerNode[corner];
 
-    out.gap[node] = min(out.gap[node], answer[8]);
+    out.gap[node] = min(out.gap[node], answer[7]);
 
-    if (answer[9] > 0)
+    if (answer[8] > 0)
     {
         const vector force(answer[0], answer[1], answer[2]);
         c.tB[corner] += force/c.geometry.cornerArea[corner];
@@ -95,7 +95,7 @@ void Foam::contactInterface::apply
         out.area[node] += answer[6];
         if (newStatus)
         {
-            out.status[node] = max(out.status[node], answer[9]);
+            out.status[node] = max(out.status[node], answer[8]);
         }
     }
 }
@@ -243,7 +243,7 @@ void Foam::contactInterface::solve(const bool firstStage)
         const acousticRiemann::solution& s = p.result;
 
         answerMessage toMinus(noAnswer()), toPlus(noAnswer());
-        toMinus[8] = toPlus[8] = gap_[o];
+        toMinus[7] = toPlus[7] = gap_[o];
         if (p.touching && !law_->bonded())
         {
             stats.penetration = max(stats.penetration, -gap_[o]);
@@ -274,9 +274,7 @@ void Foam::contactInterface::solve(const bool firstStage)
                 toPlus[3 + i] = plusShare[o]*dPlus[i];
             }
             toMinus[6] = toPlus[6] = p.area;
-            toMinus[7] = minusShare[o];
-            toPlus[7] = plusShare[o];
-            toMinus[9] = toPlus[9] = scalar(int(s.state));
+            toMinus[8] = toPlus[8] = scalar(int(s.state));
 
             stats.force += force;
             stats.plusForce -= force;
@@ -288,9 +286,9 @@ void Foam::contactInterface::solve(const bool firstStage)
         apply(minus_, k, toMinus, firstStage);
 
         answerMessage& a = answers_[slot];
-        for (direction i = 0; i < 8; ++i) a[i] += toPlus[i];
-        a[8] = min(a[8], toPlus[8]);
-        a[9] = max(a[9], toPlus[9]);
+        for (direction i = 0; i < 7; ++i) a[i] += toPlus[i];
+        a[7] = min(a[7], toPlus[7]);
+        a[8] = max(a[8], toPlus[8]);
     }
 
     if (pairing_->distributed())
