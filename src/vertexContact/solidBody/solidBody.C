@@ -111,7 +111,8 @@ const Foam::solidBoundaryCondition& Foam::solidBody::condition
     {
         FatalFileErrorInFunction(pointU_.objectPath())
             << "Keyword 'boundaryField': patch '" << pf.patch().name()
-            << "' has the boundary condition '" << pf.type() << "', which is not one of a solid." << nl
+            << "' has the boundary condition '" << pf.type()
+            << "', which is not one of a solid." << nl
             << "Valid conditions: (contact fixedVelocity pressure slip "
             << "symmetryPlane traction tractionFree)" << exit(FatalIOError);
     }
