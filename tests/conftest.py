@@ -72,6 +72,9 @@ def environment():
         if shutil.which(program) is None:
             pytest.exit(f"no {program} on PATH: run etc/setup, source "
                         "etc/bashrc and run Allwmake first", returncode=2)
+    # Once for all, not by several Allruns at the same time
+    caseTools.checked([str(caseTools.root/"Allwmake"), "-j", "-s"],
+                      caseTools.root)
 
 
 @pytest.fixture(scope="session")
