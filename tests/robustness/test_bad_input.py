@@ -154,6 +154,10 @@ def test_bad_input(case, what):
     assert done.returncode != 0, output
     messages = re.findall(r"--> FOAM FATAL(?: IO)? ERROR", output)
     assert len(messages) == 1, output
+
+    # OpenFOAM's own message where a file is not there at all
+    if what not in ("missing velocity", "missing material"):
+        assert messages[0] == "--> FOAM FATAL IO ERROR", output
     message = output[output.index("--> FOAM FATAL"):]
     for name in named:
         assert name in message, f"no '{name}' in\n{message}"
