@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "vertexKernelTemplate.H"
+#include "vectorLimiter.H"
 #include <cmath>
 #include <type_traits>
 
@@ -82,81 +83,94 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
         const scalar* Wa = W + a*nW;
         const scalar* Wb = W + b*nW;
 
-        // States at both sides of mid-edge
-        scalar L[nW], Rt[nW];
-        for (int k = 0; k < nW; ++k)
-        {
-            L[k] = Wa[k];
-            Rt[k] = Wb[k];
-        }
-        if constexpr (!none)
-        {
-            SolidVector<D> r;
-            for (int i = 0; i < D; ++i) r[i] = 0.5*(X[b*D + i] - X[a*D + i]);
-
-            const scalar* ga = grad + a*nR*D;
-            const scalar* gb = grad + b*nR*D;
-            for (int k = 0; k < nR; ++k)
-            {
-                scalar da = 0, db = 0;
-                for (int i = 0; i < D; ++i)
-                {
-                    da += ga[k*D + i]*r[i];
-                    db += gb[k*D + i]*r[i];
-                }
-                const scalar difference = Wb[k] - Wa[k];
-                if (k < atP)
-                {
-                    L[k] += slopeLimiter::limited<limiter>(da, difference);
-                    Rt[k] -= slopeLimiter::limited<limiter>(db, difference);
-                }
-                else
-                {
-                    // Of the stress only the average enters the flux
-                    const scalar both =
-                        slopeLimiter::averageCorrection<limiter>
-                        (
-                            0.5*(da - db), difference
-                        );
-                    L[k] += both;
-                    Rt[k] += both;
-                }
-            }
-        }
-
         // Direction of the waves (65)
         const SolidVector<D> c = waveArea(d.state, a, b, C);
         const scalar cc = dot(c, c);
         const scalar magC = std::sqrt(dot(C, C));
+        const scalar perC = cc > 0 ? 1/std::sqrt(cc) : 0;
+        SolidVector<D> n;
+        for (int i = 0; i < D; ++i) n[i] = perC*c[i];
+
+        // States at both sides of mid-edge: jump and average of the velocity,
+        // average of the traction; with the differences of the nodes, first
+        SolidVector<D> jump, vAvg, t;
+        for (int i = 0; i < D; ++i)
+        {
+            jump[i] = Wb[i] - Wa[i];
+            vAvg[i] = 0.5*(Wa[i] + Wb[i]);
+            t[i] = 0;
+            for (int j = 0; j < D; ++j)
+            {
+                t[i] +=
+                    0.5*(Wa[atP + i*D + j] + Wb[atP + i*D + j])*C[j];
+            }
+        }
+        scalar jumpSJ = nSJ == 1 ? Wb[D] - Wa[D] : 0;
+
+        if constexpr (!none)
+        {
+            SolidVector<D> r;
+            for (int i = 0; i < D; ++i) r[i] = 0.5*(X[b*D + i] - X[a*D + i]);
+            const scalar* ga = grad + a*nR*D;
+            const scalar* gb = grad + b*nR*D;
+            const auto change = [&r](const scalar* g, const int k)
+            {
+                scalar sum = 0;
+                for (int i = 0; i < D; ++i) sum += g[k*D + i]*r[i];
+                return sum;
+            };
+
+            SolidVector<D> da, db;
+            for (int i = 0; i < D; ++i)
+            {
+                da[i] = change(ga, i);
+                db[i] = change(gb, i);
+            }
+            slopeLimiter::limitVectors<limiter>(n, jump, da, db);
+            if constexpr (linear)
+            {
+                slopeLimiter::keepDissipative(n, jump, da, db);
+            }
+            for (int i = 0; i < D; ++i)
+            {
+                jump[i] -= da[i] + db[i];
+                if constexpr (full) vAvg[i] += 0.5*(da[i] - db[i]);
+            }
+
+            if constexpr (nSJ == 1)
+            {
+                const scalar difference = jumpSJ;
+                jumpSJ -=
+                    slopeLimiter::limited<limiter>(change(ga, D), difference)
+                  + slopeLimiter::limited<limiter>(change(gb, D), difference);
+                if (linear && jumpSJ*difference < 0) jumpSJ = 0;
+            }
+
+            if constexpr (full)
+            {
+                SolidVector<D> correction, difference;
+                for (int i = 0; i < D; ++i)
+                {
+                    correction[i] = difference[i] = 0;
+                    for (int j = 0; j < D; ++j)
+                    {
+                        const int k = atP + i*D + j;
+                        correction[i] +=
+                            0.5*(change(ga, k) - change(gb, k))*C[j];
+                        difference[i] += (Wb[k] - Wa[k])*C[j];
+                    }
+                }
+                slopeLimiter::limitAverage<limiter>(n, difference, correction);
+                for (int i = 0; i < D; ++i) t[i] += correction[i];
+            }
+        }
 
         // Traction, contact-stick condition (34a): average of the stress and
         // acoustic dissipation of the velocity jump, times area
-        SolidVector<D> jump, t;
-        for (int i = 0; i < D; ++i) jump[i] = Rt[i] - L[i];
-        scalar jumpN = cc > 0 ? dot(jump, c)/cc : 0;
-        if constexpr (linear)
-        {
-            // The proof of monotone energy needs a jump that dissipates with
-            // the difference of the nodes, which two limited values may not
-            SolidVector<D> dv;
-            for (int i = 0; i < D; ++i) dv[i] = Wb[i] - Wa[i];
-            if (halfZs*dot(dv, jump) + (halfZp - halfZs)*jumpN*dot(dv, c) < 0)
-            {
-                for (int i = 0; i < D; ++i) jump[i] = 0;
-                jumpN = 0;
-            }
-        }
+        const scalar jumpN = dot(jump, n);
         for (int i = 0; i < D; ++i)
         {
-            scalar PN = 0;
-            for (int j = 0; j < D; ++j)
-            {
-                PN += (L[atP + i*D + j] + Rt[atP + i*D + j])*C[j];
-            }
-            t[i] =
-                0.5*PN
-              + magC
-               *(halfZs*jump[i] + (halfZp - halfZs)*jumpN*c[i]);
+            t[i] += magC*(halfZs*jump[i] + (halfZp - halfZs)*jumpN*n[i]);
         }
         for (int i = 0; i < D; ++i)
         {
@@ -165,11 +179,6 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
         }
 
         // Velocity of the kinematic fluxes (63a)
-        SolidVector<D> vAvg;
-        for (int i = 0; i < D; ++i)
-        {
-            vAvg[i] = full ? 0.5*(L[i] + Rt[i]) : 0.5*(Wa[i] + Wb[i]);
-        }
         if constexpr (full)
         {
             for (int i = 0; i < D; ++i)
@@ -187,8 +196,7 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
         scalar fluxJ = 0;
         if constexpr (nSJ == 1)
         {
-            fluxJ = magC > 0 ? perZp*cc/magC*(Rt[D] - L[D]) : 0;
-            if (linear && fluxJ*(Wb[D] - Wa[D]) < 0) fluxJ = 0;
+            fluxJ = magC > 0 ? perZp*cc/magC*jumpSJ : 0;
             rateJ[a] += fluxJ;
             rateJ[b] -= fluxJ;
         }
