@@ -127,14 +127,20 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
                 db[i] = change(gb, i);
             }
             slopeLimiter::limitVectors<limiter>(n, jump, da, db);
+            SolidVector<D> w;
+            for (int i = 0; i < D; ++i) w[i] = 0.5*(da[i] - db[i]);
             if constexpr (linear)
             {
                 slopeLimiter::keepDissipative(n, jump, da, db);
             }
+            if constexpr (full)
+            {
+                slopeLimiter::limitAverage<limiter>(n, jump, w);
+            }
             for (int i = 0; i < D; ++i)
             {
                 jump[i] -= da[i] + db[i];
-                if constexpr (full) vAvg[i] += 0.5*(da[i] - db[i]);
+                if constexpr (full) vAvg[i] += w[i];
             }
 
             if constexpr (nSJ == 1)
