@@ -6,6 +6,7 @@
 
 #include "schemeOptions.H"
 #include "dictionaryCheck.H"
+#include "Switch.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -43,7 +44,8 @@ Foam::schemeOptions::schemeOptions(const dictionary& fvSchemes)
         dict,
         wordList
         ({
-            "cells", "reconstruction", "limiter", "kinematics", "jacobian"
+            "cells", "reconstruction", "limiter", "kinematics", "jacobian",
+            "preserveAngularMomentum"
         })
     );
 
@@ -58,6 +60,11 @@ Foam::schemeOptions::schemeOptions(const dictionary& fvSchemes)
     jacobian = readEnum
     (
         materialModel::jacobianFormNames, dict, "jacobian", jacobian
+    );
+
+    preserveAngularMomentum = dict.getOrDefault<Switch>
+    (
+        "preserveAngularMomentum", preserveAngularMomentum
     );
 
     if (reconstruction == reconstructionType::none)

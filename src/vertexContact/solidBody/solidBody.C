@@ -270,6 +270,7 @@ Foam::solidBody::solidBody(const Time& runTime, const word& region)
     kernel_(vertexKernel::New(data_)),
     mirrorPatches_(findMirrors(mesh_, pointU_)),
     symmetry_(dual_, mirrorPatches_),
+    angularMomentum_(data_, symmetry_, options_.preserveAngularMomentum),
     corners_(mesh_.boundaryMesh().size()),
     depth_(mesh_.boundaryMesh().size()),
     boundaryArea_(dual_.nNodes(), Zero),
@@ -466,7 +467,7 @@ void Foam::solidBody::prepare(const scalar time)
 }
 
 
-void Foam::solidBody::computeRates(const bool energy)
+void Foam::solidBody::computeRates(const bool energy, const scalar dt)
 {
     const label d = dual_.nDim();
     const nodeSharing& sharing = dual_.sharing();
@@ -527,6 +528,10 @@ void Foam::solidBody::computeRates(const bool energy)
     data_.numericalDissipation = 0;
     powers_ = powers();
     kernel_->fluxes(data_, energy);
+    if (angularMomentum_.active())
+    {
+        angularMomentum_.measure(data_, dt);
+    }
     for (const dualPatch& patch : dual_.patches())
     {
         const label patchi = patch.patchIndex;
@@ -543,6 +548,10 @@ void Foam::solidBody::computeRates(const bool energy)
     powers_.numericalDissipation = data_.numericalDissipation;
     syncRates();
     kernel_->scaleRates(data_);
+    if (angularMomentum_.active())
+    {
+        powers_.numericalDissipation += angularMomentum_.correct(data_, dt);
+    }
 
     // Body force
     const scalar* v = data_.W.cdata();

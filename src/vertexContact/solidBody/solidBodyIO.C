@@ -462,6 +462,7 @@ void Foam::solidBody::report(Ostream& os) const
         << ", J solved " << onOff(s.solvesJ)
         << ", gradients " << onOff(data_.nR > 0)
         << ", limiter " << onOff(options_.limiter != limiterType::none)
+        << ", angular momentum preserved " << onOff(angularMomentum_.active())
         << ", body force " << onOff(mag(max(gravity_)) + mag(min(gravity_)) > 0)
         << ", contact " << onOff(hasContact_)
         << ", plasticity off" << nl

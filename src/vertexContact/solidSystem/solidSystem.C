@@ -141,7 +141,10 @@ void Foam::solidSystem::evaluate(const scalar time, const int stage)
 
     for (solidBody& body : bodies_)
     {
-        body.computeRates(energiesOn_);
+        body.computeRates
+        (
+            energiesOn_, stage == 0 ? 0 : runTime_.deltaTValue()
+        );
     }
 }
 

@@ -1,0 +1,199 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "angularMomentumProjection.H"
+#include "PstreamReduceOps.H"
+#include "symmTensor.H"
+#include "tensor.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+// Thirteen numbers in one message
+struct sumOfLists
+{
+    FixedList<scalar, 13> operator()
+    (
+        const FixedList<scalar, 13>& a,
+        const FixedList<scalar, 13>& b
+    ) const
+    {
+        FixedList<scalar, 13> sum;
+        forAll(sum, i) sum[i] = a[i] + b[i];
+        return sum;
+    }
+};
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<int D>
+inline Foam::vector Foam::angularMomentumProjection::arm
+(
+    const vertexData& d,
+    const label a,
+    const scalar dt
+)
+{
+    const scalar* X = d.dual.nodePosition().cdata() + a*D;
+    const scalar* u = d.state.disp.cdata() + a*D;
+    vector y(Zero);
+    for (direction i = 0; i < D; ++i)
+    {
+        y[i] = X[i] + u[i];
+    }
+    if (dt > 0)
+    {
+        const scalar* lm = d.state.lm.cdata() + a*D;
+        const scalar* lm0 = d.old.lm.cdata() + a*D;
+        for (direction i = 0; i < D; ++i)
+        {
+            y[i] += 0.5*dt/d.rho*(lm[i] - lm0[i]);
+        }
+    }
+    return y;
+}
+
+
+template<int D>
+void Foam::angularMomentumProjection::measureTorque
+(
+    const vertexData& d,
+    const scalar dt
+)
+{
+    const scalar* force = d.rateLm.cdata();
+    torque_ = Zero;
+    for (label a = 0; a < d.nNodes(); ++a)
+    {
+        vector f(Zero);
+        for (direction i = 0; i < D; ++i) f[i] = force[a*D + i];
+        torque_ += arm<D>(d, a, dt) ^ f;
+    }
+}
+
+
+template<int D>
+Foam::scalar Foam::angularMomentumProjection::project
+(
+    vertexData& d,
+    const scalar dt
+) const
+{
+    const bitSet& owned = d.dual.sharing().owned();
+    const scalar* V = d.dual.nodeVolume().cdata();
+
+    // Volume and first and second moments of the arms; torque
+    FixedList<scalar, 13> sums(Zero);
+    vector first(Zero);
+    symmTensor second(Zero);
+    for (label a = 0; a < d.nNodes(); ++a)
+    {
+        if (owned[a])
+        {
+            const vector y(arm<D>(d, a, dt));
+            sums[0] += V[a];
+            first += V[a]*y;
+            second += V[a]*sqr(y);
+        }
+    }
+    for (direction i = 0; i < 3; ++i)
+    {
+        sums[1 + i] = first[i];
+        sums[4 + i] = torque_[i];
+    }
+    for (direction i = 0; i < 6; ++i) sums[7 + i] = second[i];
+    reduce(sums, sumOfLists());
+
+    const scalar volume = sums[0];
+    const vector centre(vector(sums[1], sums[2], sums[3])/volume);
+    const vector torque(sums[4], sums[5], sums[6]);
+    for (direction i = 0; i < 6; ++i) second[i] = sums[7 + i];
+    second -= volume*sqr(centre);
+    const symmTensor inertia(tr(second)*symmTensor::I - second);
+
+    vector omega(Zero);
+    if (D == 2)
+    {
+        omega.z() = torque.z()/inertia.zz();
+    }
+    else if (magSqr(axis_) > 0)
+    {
+        omega = (axis_ & torque)/(axis_ & inertia & axis_)*axis_;
+    }
+    else
+    {
+        omega = inv(inertia) & torque;
+    }
+
+    scalar* rateLm = d.rateLm.data();
+    scalar power = 0;
+    for (label a = 0; a < d.nNodes(); ++a)
+    {
+        const vector change(omega ^ (arm<D>(d, a, dt) - centre));
+        scalar vChange = 0;
+        for (direction i = 0; i < D; ++i)
+        {
+            rateLm[a*D + i] -= change[i];
+            vChange += d.W[a*d.nW + i]*change[i];
+        }
+        if (owned[a]) power += V[a]*vChange;
+    }
+    return power;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::angularMomentumProjection::angularMomentumProjection
+(
+    const vertexData& d,
+    const symmetryConstraint& symmetry,
+    const bool wanted
+)
+:
+    axis_(Zero),
+    torque_(Zero)
+{
+    const bool mirrors = returnReduce(symmetry.active(), orOp<bool>());
+    active_ = wanted && d.finiteStrain && d.nDim() > 1;
+
+    if (active_ && mirrors)
+    {
+        active_ = d.nDim() == 3 && symmetry.commonNormal(axis_);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::angularMomentumProjection::measure
+(
+    const vertexData& d,
+    const scalar dt
+)
+{
+    d.nDim() == 2 ? measureTorque<2>(d, dt) : measureTorque<3>(d, dt);
+}
+
+
+Foam::scalar Foam::angularMomentumProjection::correct
+(
+    vertexData& d,
+    const scalar dt
+) const
+{
+    return d.nDim() == 2 ? project<2>(d, dt) : project<3>(d, dt);
+}
+
+
+// ************************************************************************* //
