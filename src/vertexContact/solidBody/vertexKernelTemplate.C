@@ -70,6 +70,9 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
     scalar* rateJ = d.rateJ.data();
     scalar* waveSum = d.waveSum.data();
 
+    const bool* atContact =
+        d.atContact.size() ? d.atContact.cdata() : nullptr;
+
     const label nEdges = d.dual.nEdges();
     const scalar halfZp = 0.5*d.rho*d.cp;
     const scalar halfZs = 0.5*d.rho*d.cs;
@@ -82,6 +85,7 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
         const SolidVector<D> C = SolidVector<D>::load(area + D*e);
         const scalar* Wa = W + a*nW;
         const scalar* Wb = W + b*nW;
+        const bool strict = atContact && (atContact[a] || atContact[b]);
 
         // Direction of the waves (65)
         const SolidVector<D> c = waveArea(d.state, a, b, C);
@@ -126,16 +130,15 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
                 da[i] = change(ga, i);
                 db[i] = change(gb, i);
             }
-            slopeLimiter::limitVectors<limiter>(n, jump, da, db);
             SolidVector<D> w;
-            for (int i = 0; i < D; ++i) w[i] = 0.5*(da[i] - db[i]);
+            if constexpr (full)
+            {
+                w = slopeLimiter::limitAverage<limiter>(n, jump, da, db, strict);
+            }
+            slopeLimiter::limitVectors<limiter>(n, jump, da, db);
             if constexpr (linear)
             {
                 slopeLimiter::keepDissipative(n, jump, da, db);
-            }
-            if constexpr (full)
-            {
-                slopeLimiter::limitAverage<limiter>(n, jump, w);
             }
             for (int i = 0; i < D; ++i)
             {
@@ -154,19 +157,23 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
 
             if constexpr (full)
             {
-                SolidVector<D> correction, difference;
+                SolidVector<D> difference, ta, tb;
                 for (int i = 0; i < D; ++i)
                 {
-                    correction[i] = difference[i] = 0;
+                    difference[i] = ta[i] = tb[i] = 0;
                     for (int j = 0; j < D; ++j)
                     {
                         const int k = atP + i*D + j;
-                        correction[i] +=
-                            0.5*(change(ga, k) - change(gb, k))*C[j];
                         difference[i] += (Wb[k] - Wa[k])*C[j];
+                        ta[i] += change(ga, k)*C[j];
+                        tb[i] += change(gb, k)*C[j];
                     }
                 }
-                slopeLimiter::limitAverage<limiter>(n, difference, correction);
+                const SolidVector<D> correction =
+                    slopeLimiter::limitAverage<limiter>
+                    (
+                        n, difference, ta, tb, strict
+                    );
                 for (int i = 0; i < D; ++i) t[i] += correction[i];
             }
         }
