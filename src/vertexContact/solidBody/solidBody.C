@@ -198,22 +198,6 @@ void Foam::solidBody::makeCorners()
         contact_.gap.setSize(n, GREAT);
         contact_.force.setSize(n, vector::zero);
         contact_.area.setSize(n, Zero);
-
-        // Nodes of any processor's contact faces
-        scalarField contactCorners(n, Zero);
-        for (const label patchi : contactPatches())
-        {
-            for (const label a : dual_.patches()[patchi].cornerNode)
-            {
-                contactCorners[a] = 1;
-            }
-        }
-        dual_.sharing().max(contactCorners.data(), 1);
-        data_.atContact.setSize(n);
-        forAll(contactCorners, a)
-        {
-            data_.atContact[a] = contactCorners[a] > 0;
-        }
     }
 }
 

@@ -70,9 +70,6 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
     scalar* rateJ = d.rateJ.data();
     scalar* waveSum = d.waveSum.data();
 
-    const bool* atContact =
-        d.atContact.size() ? d.atContact.cdata() : nullptr;
-
     const label nEdges = d.dual.nEdges();
     const scalar halfZp = 0.5*d.rho*d.cp;
     const scalar halfZs = 0.5*d.rho*d.cs;
@@ -85,7 +82,6 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
         const SolidVector<D> C = SolidVector<D>::load(area + D*e);
         const scalar* Wa = W + a*nW;
         const scalar* Wb = W + b*nW;
-        const bool strict = atContact && (atContact[a] || atContact[b]);
 
         // Direction of the waves (65)
         const SolidVector<D> c = waveArea(d.state, a, b, C);
@@ -133,7 +129,7 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
             SolidVector<D> w;
             if constexpr (full)
             {
-                w = slopeLimiter::limitAverage<limiter>(n, jump, da, db, strict);
+                w = slopeLimiter::limitAverage<limiter>(n, jump, da, db);
             }
             slopeLimiter::limitVectors<limiter>(n, jump, da, db);
             if constexpr (linear)
@@ -172,7 +168,7 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
                 const SolidVector<D> correction =
                     slopeLimiter::limitAverage<limiter>
                     (
-                        n, difference, ta, tb, strict
+                        n, difference, ta, tb
                     );
                 for (int i = 0; i < D; ++i) t[i] += correction[i];
             }
