@@ -182,27 +182,4 @@ TEST_CASE("limited() chooses the limiter", "[slopeLimiter][serial]")
 }
 
 
-TEST_CASE("Correction of an average", "[slopeLimiter][serial]")
-{
-    using slopeLimiter::averageCorrection;
-    Random random(3);
-    for (label sample = 0; sample < 1000; ++sample)
-    {
-        const scalar D = randomScalar(random), c = randomScalar(random);
-        const scalar limited =
-            averageCorrection<limiterType::BarthJespersen>(c, D);
-
-        // The average stays between the nodes; symmetric in them
-        CHECK(mag(limited) <= 0.125*mag(D));
-        CHECK(limited*c >= 0);
-        CHECK
-        (
-            averageCorrection<limiterType::BarthJespersen>(c, -D) == limited
-        );
-        CHECK((limited == c) == (mag(c) <= 0.125*mag(D)));
-        CHECK(averageCorrection<limiterType::none>(c, D) == c);
-    }
-}
-
-
 // ************************************************************************* //

@@ -1,0 +1,290 @@
+/*---------------------------------------------------------------------------*\
+License
+    This file is part of vertexContact, distributed under GPL-3.0-or-later.
+
+Description
+    Limiters of vectors in the frame of the waves: bounds, linear fields, and
+    independence of the orientation of the axes.
+
+\*---------------------------------------------------------------------------*/
+
+#include "testEnvironment.H"
+#include "vectorLimiter.H"
+#include "tensors/fullTensor.H"
+
+using namespace Foam;
+using slopeLimiter::limitVectors;
+using slopeLimiter::limitAverage;
+using slopeLimiter::keepDissipative;
+
+// * * * * * * * * * * * * * * * * Local Data  * * * * * * * * * * * * * * * //
+
+namespace
+{
+
+constexpr limiterType BJ = limiterType::BarthJespersen;
+constexpr limiterType smooth = limiterType::Venkatakrishnan;
+constexpr limiterType off = limiterType::none;
+
+typedef SolidVector<3> vector3;
+
+vector3 randomSolidVector(Random& random)
+{
+    vector3 v;
+    for (int i = 0; i < 3; ++i) v[i] = randomScalar(random);
+    return v;
+}
+
+vector3 randomDirection(Random& random)
+{
+    const vector3 v(randomSolidVector(random));
+    const scalar magV = std::sqrt(dot(v, v));
+    vector3 n;
+    for (int i = 0; i < 3; ++i) n[i] = v[i]/magV;
+    return n;
+}
+
+//- Rotation by an angle about an axis (Rodrigues)
+vector3 rotated(const vector3& v, const vector3& k, const scalar angle)
+{
+    const scalar c = std::cos(angle), s = std::sin(angle), kv = dot(k, v);
+    const scalar cross[3] =
+    {
+        k[1]*v[2] - k[2]*v[1], k[2]*v[0] - k[0]*v[2], k[0]*v[1] - k[1]*v[0]
+    };
+    vector3 r;
+    for (int i = 0; i < 3; ++i)
+    {
+        r[i] = c*v[i] + s*cross[i] + (1 - c)*kv*k[i];
+    }
+    return r;
+}
+
+vector3 across(const vector3& v, const vector3& n)
+{
+    const scalar along = dot(v, n);
+    vector3 t;
+    for (int i = 0; i < 3; ++i) t[i] = v[i] - along*n[i];
+    return t;
+}
+
+scalar distance(const vector3& a, const vector3& b)
+{
+    scalar sum = 0;
+    for (int i = 0; i < 3; ++i) sum += sqr(a[i] - b[i]);
+    return std::sqrt(sum);
+}
+
+scalar size(const vector3& a)
+{
+    return std::sqrt(dot(a, a));
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
+
+TEST_CASE("Vector limiter: linear fields are untouched", "[slopeLimiter]")
+{
+    Random random(11);
+    for (label sample = 0; sample < 1000; ++sample)
+    {
+        const vector3 n(randomDirection(random)), D(randomSolidVector(random));
+        vector3 da, db;
+        for (int i = 0; i < 3; ++i) da[i] = db[i] = 0.5*D[i];
+
+        limitVectors<BJ>(n, D, da, db);
+        const vector3 c(limitAverage<BJ>(n, D, da, db));
+        for (int i = 0; i < 3; ++i)
+        {
+            CHECK(mag(da[i] - 0.5*D[i]) < 1e-14);
+            CHECK(mag(db[i] - 0.5*D[i]) < 1e-14);
+            CHECK(mag(c[i]) < 1e-14);
+        }
+    }
+}
+
+
+TEST_CASE("Vector limiter: no new extremum along n and across",
+    "[slopeLimiter]")
+{
+    Random random(12);
+    for (label sample = 0; sample < 1000; ++sample)
+    {
+        const vector3 n(randomDirection(random)), D(randomSolidVector(random));
+        vector3 da(randomSolidVector(random)), db(randomSolidVector(random));
+        limitVectors<BJ>(n, D, da, db);
+
+        for (const vector3& d : {da, db})
+        {
+            const scalar share = dot(d, n)/dot(D, n);
+            CHECK((share > -1e-12 && share < 1 + 1e-12));
+
+            // Across n: a share of the difference, and nothing beside it
+            const vector3 t(across(d, n)), DT(across(D, n));
+            const scalar shareT = dot(t, DT)/dot(DT, DT);
+            CHECK((shareT > -1e-12 && shareT < 1 + 1e-12));
+            for (int i = 0; i < 3; ++i)
+            {
+                CHECK(mag(t[i] - shareT*DT[i]) < 1e-13);
+            }
+        }
+    }
+}
+
+
+TEST_CASE("Vector limiters do not depend on the axes", "[slopeLimiter]")
+{
+    Random random(13);
+    for (label sample = 0; sample < 1000; ++sample)
+    {
+        const vector3 k(randomDirection(random));
+        const scalar angle = 3*randomScalar(random);
+        const auto turn = [&](const vector3& v) { return rotated(v, k, angle); };
+
+        const vector3 n(randomDirection(random)), D(randomSolidVector(random));
+        const vector3 da(randomSolidVector(random)), db(randomSolidVector(random));
+
+        vector3 a(da), b(db), aTurned(turn(da)), bTurned(turn(db));
+        limitVectors<BJ>(n, D, a, b);
+        limitVectors<BJ>(turn(n), turn(D), aTurned, bTurned);
+        CHECK(distance(turn(a), aTurned) < 1e-12);
+        CHECK(distance(turn(b), bTurned) < 1e-12);
+
+        const vector3 c(limitAverage<BJ>(n, D, da, db));
+        const vector3 cTurned
+        (
+            limitAverage<BJ>(turn(n), turn(D), turn(da), turn(db))
+        );
+        CHECK(distance(turn(c), cTurned) < 1e-12);
+    }
+}
+
+
+TEST_CASE("Limited average stays within a sixteenth and is symmetric",
+    "[slopeLimiter]")
+{
+    Random random(14);
+    label nLimited = 0;
+    for (label sample = 0; sample < 1000; ++sample)
+    {
+        const vector3 n(randomDirection(random)), D(randomSolidVector(random));
+        const vector3 da(randomSolidVector(random)), db(randomSolidVector(random));
+        const vector3 c(limitAverage<BJ>(n, D, da, db));
+
+        CHECK(mag(dot(c, n)) <= mag(dot(D, n))/16*(1 + 1e-12));
+        CHECK
+        (
+            size(across(c, n)) <= size(across(D, n))/16*(1 + 1e-9) + 1e-12
+        );
+
+        // The other way round along the edge: D and both changes negative
+        vector3 minusD, minusA, minusB;
+        for (int i = 0; i < 3; ++i)
+        {
+            minusD[i] = -D[i];
+            minusA[i] = -da[i];
+            minusB[i] = -db[i];
+        }
+        CHECK(distance(limitAverage<BJ>(n, minusD, minusB, minusA), c) < 1e-14);
+
+        vector3 plain;
+        for (int i = 0; i < 3; ++i) plain[i] = 0.5*(da[i] - db[i]);
+        if (distance(plain, c) > 1e-12) ++nLimited;
+        CHECK(distance(limitAverage<off>(n, D, da, db), plain) == 0);
+    }
+    CHECK(nLimited > 500);
+}
+
+
+TEST_CASE("Venkatakrishnan keeps smooth extrema, BarthJespersen clips them",
+    "[slopeLimiter]")
+{
+    // A parabola with its vertex near mid-edge: nodes at -h/2 and h/2 + e
+    const scalar curvature = 3, e = 1e-3;
+    const scalar x0 = -0.5, x1 = 0.5 + e;
+    const SolidVector<1> n = {{1}};
+    const SolidVector<1> D = {{0.5*curvature*(sqr(x1) - sqr(x0))}};
+    const SolidVector<1> da = {{curvature*x0*0.5*(x1 - x0)}};
+    const SolidVector<1> db = {{curvature*x1*0.5*(x1 - x0)}};
+    const scalar exact = 0.5*(da[0] - db[0]);
+
+    CHECK
+    (
+        limitAverage<smooth>(n, D, da, db)[0] == Approx(exact).epsilon(1e-6)
+    );
+    CHECK(mag(limitAverage<BJ>(n, D, da, db)[0]) < 0.01*mag(exact));
+
+    // A step: flat at one end, so nothing beyond the sixteenth
+    const SolidVector<1> step = {{1.0}}, flat = {{0.0}}, steep = {{0.5}};
+    CHECK
+    (
+        limitAverage<smooth>(n, step, flat, steep)[0]
+     == limitAverage<BJ>(n, step, flat, steep)[0]
+    );
+}
+
+
+TEST_CASE("The jump that remains dissipates along n and across",
+    "[slopeLimiter]")
+{
+    Random random(15);
+    label nChanged = 0;
+    for (label sample = 0; sample < 1000; ++sample)
+    {
+        const vector3 n(randomDirection(random)), D(randomSolidVector(random));
+        vector3 da(randomSolidVector(random)), db(randomSolidVector(random));
+        limitVectors<BJ>(n, D, da, db);
+        const vector3 a(da), b(db);
+        keepDissipative(n, D, da, db);
+
+        vector3 jump;
+        for (int i = 0; i < 3; ++i) jump[i] = D[i] - da[i] - db[i];
+        CHECK(dot(jump, n)*dot(D, n) >= -1e-14);
+        CHECK(dot(across(jump, n), across(D, n)) >= -1e-14);
+
+        // The average of the two sides remains
+        for (int i = 0; i < 3; ++i)
+        {
+            CHECK(mag((da[i] - db[i]) - (a[i] - b[i])) < 1e-14);
+        }
+        if (distance(a, da) > 1e-12) ++nChanged;
+    }
+    CHECK(nChanged > 100);
+}
+
+
+TEST_CASE("No arithmetic error of vector limiters at the extremes",
+    "[slopeLimiter]")
+{
+    for (const scalar scale : {0.0, 1e-310, 1e-160, 1e-20, 1e20, 1e120})
+    {
+        Random random(16);
+        for (label sample = 0; sample < 100; ++sample)
+        {
+            const vector3 n(randomDirection(random));
+            vector3 D(randomSolidVector(random));
+            vector3 da(randomSolidVector(random)), db(randomSolidVector(random));
+            for (int i = 0; i < 3; ++i)
+            {
+                D[i] *= scale;
+                da[i] *= scale;
+                db[i] *= sample % 2 ? scale : 1;
+            }
+            const vector3 c(limitAverage<BJ>(n, D, da, db));
+            const vector3 s(limitAverage<smooth>(n, D, da, db));
+            limitVectors<BJ>(n, D, da, db);
+            keepDissipative(n, D, da, db);
+            for (int i = 0; i < 3; ++i)
+            {
+                CHECK(std::isfinite(c[i]));
+                CHECK(std::isfinite(s[i]));
+                CHECK(std::isfinite(da[i] + db[i]));
+            }
+        }
+    }
+}
+
+
+// ************************************************************************* //
