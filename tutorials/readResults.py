@@ -62,3 +62,13 @@ def probe(case, functionObject, field, point=0):
     nPoints = sum(line.startswith("# Probe") and "(" in line for line in header)
     values = data[:, 1:].reshape(len(data), nPoints, -1)
     return data[:, 0], values[:, point]
+
+
+def csv(file):
+    """Columns of a table with commas, as a dictionary; '#' starts a comment,
+    the first other line has the names."""
+    with open(file) as lines:
+        rows = [line.strip() for line in lines
+                if line.strip() and not line.startswith("#")]
+    data = np.array([row.split(",") for row in rows[1:]], dtype=float)
+    return dict(zip(rows[0].split(","), data.T))

@@ -42,7 +42,8 @@ def copyTutorials(destination):
     """A clean copy of tutorials/, without results."""
     made = shutil.ignore_patterns(
         "0", "[1-9]*", "0.[0-9]*", "processor[0-9]*", "postProcessing",
-        "polyMesh", "log.*", "*.png", "caseParameters", "__pycache__")
+        "polyMesh", "log.*", "*.png", "caseParameters", "__pycache__",
+        "results")
     return Path(shutil.copytree(root/"tutorials", destination, ignore=made))
 
 
@@ -80,6 +81,16 @@ class Case:
 
     def log(self, program="vertexContactFoam"):
         return (self.path/f"log.{program}").read_text(errors="replace")
+
+    @property
+    def regions(self):
+        return sorted(entry.name for entry in (self.path/"0.orig").iterdir()
+                      if entry.is_dir())
+
+    @property
+    def times(self):
+        """Names of the times written, without the initial one."""
+        return timeFolders(self.path)[1:]
 
     @cached_property
     def energies(self):
@@ -157,6 +168,31 @@ class Scene:
         case = self.prepare(folder)
         checked(["./Allrun"], case.path, MESH=str(self.elements),
                 NP=str(self.ranks), PLOT="0")
+        return case
+
+
+@dataclass(frozen=True)
+class Tutorial:
+    """A tutorial as a user runs it, and what is different from it."""
+
+    path: str
+    mesh: str = "I"
+    scheme: tuple = ()          # ((keyword, value), ...) of vertexCentred
+    material: tuple = ()        # of mechanicalProperties
+    control: tuple = ()         # of controlDict
+    ranks: int = 1
+
+    def run(self, folder):
+        tutorials = copyTutorials(folder/"tutorials")
+        case = Case(tutorials/self.path)
+        for region in case.regions:
+            case.set(f"system/{region}/fvSchemes", {
+                f"vertexCentred/{k}": v for k, v in self.scheme})
+            case.set(f"constant/{region}/mechanicalProperties",
+                     dict(self.material))
+        case.set("system/controlDict", dict(self.control))
+        checked(["./Allrun"], case.path, MESH=self.mesh, NP=str(self.ranks),
+                PLOT="0")
         return case
 
 

@@ -1,0 +1,138 @@
+"""Impact of two nearly incompressible bars (Section 7.2.2), Mesh I."""
+
+import numpy as np
+import pytest
+
+import readResults
+from caseTools import Tutorial, root
+from mirrorImages import asymmetry
+from test_rings import rise
+
+BARS = "nearlyIncompressibleBars"
+PLAIN = (("kinematics", "F"), ("limiter", "none"))
+ABRUPT = (("endTime", 1.5e-4), ("writeInterval", 1e-5))
+FULL = Tutorial(BARS)
+COARSE = Tutorial(BARS, "4")
+TRIANGLES = Tutorial(BARS, scheme=PLAIN)
+NU = {nu: (Tutorial(BARS, material=(("nu", nu),), control=ABRUPT),
+           Tutorial(BARS, material=(("nu", nu),), control=ABRUPT, scheme=PLAIN))
+      for nu in (0.499, 0.4999)}
+TIMES = np.arange(25, 326, 25)*1e-6
+
+scenes = pytest.mark.scenes
+
+
+def history(case, field):
+    """x component at A at the times of the table."""
+    times, values = case.probe("pointA", field)
+    return np.interp(TIMES, times, values[:, 0])
+
+
+def reference(column):
+    data = readResults.csv(root/"tutorials"/BARS/"referenceData"/"meshIII.csv")
+    return np.interp(TIMES, data["Time"], data[column])
+
+
+def checkerboard(case, time, region="bar1"):
+    """|p - mean over the neighbours| / |p - mean over all|."""
+    X = case.points(region)
+    front = np.flatnonzero(X[:, 2] > X[:, 2].mean())
+    p = case.field(time, region, "pressure")[front, 0]
+    x, i = np.unique(np.round(X[front, 0], 9), return_inverse=True)
+    y, j = np.unique(np.round(X[front, 1], 9), return_inverse=True)
+    P = np.empty((len(x), len(y)))
+    P[i, j] = p
+
+    total, count = np.zeros_like(P), np.zeros_like(P)
+    for a, b in ((np.s_[1:, :], np.s_[:-1, :]), (np.s_[:, 1:], np.s_[:, :-1])):
+        total[a] += P[b]
+        total[b] += P[a]
+        count[a] += 1
+        count[b] += 1
+    return np.linalg.norm(P - total/count)/np.linalg.norm(P - P.mean())
+
+
+def meanCheckerboard(case, start):
+    """Mean over the times written from start on."""
+    return np.mean([checkerboard(case, time) for time in case.times
+                    if float(time) >= start])
+
+
+@scenes(FULL, COARSE)
+def test_default(run, figures):
+    case = run(FULL)
+    contact, total = case.contact("bars"), case.totalEnergy
+    time, touching = contact["Time"], contact["slip"]
+    force = np.abs(contact["bar1.right:Fx"])
+    with figures("3.3 bars, default") as f:
+        f.within("first contact [us]", 1e6*time[touching > 0][0], 80, 0.1)
+        f.within("last contact [us]", 1e6*time[touching > 0][-1], 285, 3)
+        f.atMost("largest rise of the total energy / initial", rise(total),
+                 1e-13)
+        f.atLeast("energy at 325 us / initial", total[-1]/total[0], 0.895)
+        coarse = run(COARSE)
+        f.atLeast("the same less that of 4 x 20 elements", total[-1]/total[0]
+                  - coarse.totalEnergy[-1]/coarse.totalEnergy[0], 0.01)
+        f.atMost("largest penetration / cell",
+                 contact["penetration"].max()/0.8e-3, 0.05)
+        f.falling("penetration, 4 and 8 elements [m]",
+                  [c.contact("bars")["penetration"].max()
+                   for c in (coarse, case)])
+        f.atMost("residual of the energy balance / initial",
+                 np.abs(case.energies["total:balance"]).max()/total[0], 2e-3)
+
+        f.within("v_x of A at 300 us [m/s]",
+                 np.interp(3e-4, TIMES, history(case, "pointU")), -18, 2)
+        f.within("u_x of A at 300 us [mm]",
+                 1e3*np.interp(3e-4, TIMES, history(case, "pointD")),
+                 3.906, 0.01)
+        for field, column in ("pointU", "vx"), ("pointD", "ux"):
+            f.falling(f"{column} of A, mean difference from Mesh III, 4 and 8 "
+                      "elements", [np.abs(history(c, field)
+                                          - reference(column)).mean()
+                                   for c in (coarse, case)])
+
+        # The double contact: A opens and moves back before it is hit again,
+        # while only the nodes next to the lateral surfaces touch
+        window = (time > 8.3e-5) & (time < 1e-4)
+        t, v = case.probe("pointA", "pointU")
+        between = (t > 8.3e-5) & (t < 1e-4)
+        f.atMost("between the contacts: force / peak",
+                 force[window].min()/force.max(), 0.02)
+        f.atMost("corners that touch / all",
+                 touching[window].min()/touching.max(), 0.3)
+        f.atMost("least velocity of A [m/s]", v[between, 0].min(), -15)
+        f.atMost("velocity of A at 100 us [m/s]",
+                 abs(np.interp(1e-4, t, v[:, 0])), 2)
+
+
+@scenes(FULL)
+def test_mirror(run, figures):
+    with figures("3.5 bars, mirror") as f:
+        f.atMost("difference of the bars' fields from mirror images",
+                 asymmetry(run(FULL), "bar1", "bar2", 0.0364), 1e-9)
+
+
+@scenes(FULL, TRIANGLES, *NU[0.499], *NU[0.4999])
+def test_checkerboard(run, figures):
+    """The dissipation of J against linear triangles without it."""
+    with figures("3.3 bars, checkerboard") as f:
+        cured = meanCheckerboard(run(FULL), 1e-4)
+        plain = meanCheckerboard(run(TRIANGLES), 1e-4)
+        f.atMost("nu 0.495", cured, 0.08)
+        f.atLeast("nu 0.495, without / with", plain/cured, 1.5)
+        for nu, scenes in NU.items():
+            cured, plain = (meanCheckerboard(run(s), 1.2e-4) for s in scenes)
+            f.atMost(f"nu {nu}", cured, 0.1)
+            f.atLeast(f"nu {nu}, without", plain, 0.3)
+
+
+@scenes(*(pair[0] for pair in NU.values()))
+def test_incompressible_limit(run, figures):
+    with figures("3.3 bars, towards incompressibility") as f:
+        for nu, (scene, _) in NU.items():
+            energy = run(scene).totalEnergy
+            f.atMost(f"nu {nu}: largest rise of the total energy / initial",
+                     rise(energy), 1e-13)
+            f.atLeast(f"nu {nu}: energy at 150 us / initial",
+                      energy[-1]/energy[0], 0.85)
