@@ -37,6 +37,15 @@ def remove(file):
     return action
 
 
+def force(contents):
+    """A body force of bar 1."""
+    def action(case):
+        (case/"constant/bar1/bodyForces").write_text(
+            "FoamFile { version 2.0; format ascii; class dictionary; "
+            f"object bodyForces; }}\n{contents}\n")
+    return action
+
+
 def invertCell(case):
     """Put the second node of bar 2 behind its first."""
     case.replace("constant/bar2/polyMesh/points",
@@ -82,6 +91,17 @@ CASES = {
     "unknown boundary condition": (
         replace(velocity, "tractionFree", "tractionfree"),
         ("pointU", "tractionfree", "tractionFree")),
+    "unknown body force": (
+        force("wind { type unifrom; acceleration (1 0 0); }"),
+        ("bodyForces", "wind", "unifrom", "uniform")),
+    "keyword of a body force": (
+        force("wind { type uniform; accelleration (1 0 0); }"),
+        ("bodyForces", "wind", "accelleration", "acceleration")),
+    "body force without its value": (
+        force("wind { type uniform; }"),
+        ("bodyForces", "wind", "acceleration")),
+    "body force that is no dictionary": (
+        force("wind (1 0 0);"), ("bodyForces", "wind")),
     "missing density": (
         replace(material, r"rho .*\n", "\n"), ("mechanicalProperties", "rho")),
     "missing boundary condition": (

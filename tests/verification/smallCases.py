@@ -73,6 +73,8 @@ class Body:
     scheme: dict = field(default_factory=dict)
     velocity: Callable | tuple = (0, 0, 0)      # of reference points
     displacement: Callable | None = None
+    deformation: Callable | None = None         # F; else that of displacement
+    forces: dict = field(default_factory=dict)  # of bodyForces, by name
     moved: Callable | None = None               # of the points of the block
     edges: tuple = ()                           # of blockMesh
 
@@ -170,6 +172,8 @@ class SmallCase(Case):
             **{f"{kind}Schemes": {} for kind in SCHEMES}})
         self.dictionary(f"system/{name}/fvSolution", {})
         self.dictionary(f"constant/{name}/mechanicalProperties", body.material)
+        if body.forces:
+            self.dictionary(f"constant/{name}/bodyForces", body.forces)
         self.dictionary(f"system/{name}/blockMeshDict", body.mesh())
         checked(["blockMesh", "-region", name], self.path)
         if body.moved:
@@ -183,8 +187,11 @@ class SmallCase(Case):
         if body.displacement is not None:
             self.writePointField(body, "pointD", "[0 1 0 0 0 0 0]",
                                  values(body.displacement, X))
+        if body.deformation is not None:
+            self.writePointField(body, "F", "[0 0 0 0 0 0 0]",
+                                 body.deformation(X).reshape(-1, 9), "tensor")
 
-    def writePointField(self, body, name, dimensions, U):
+    def writePointField(self, body, name, dimensions, U, kind="vector"):
         patches = {}
         for side in SIDES:
             patch = body.condition(side)
@@ -193,9 +200,9 @@ class SmallCase(Case):
                 patch = condition("calculated")
             patches[side] = patch
         self.write(
-            f"0/{body.name}/{name}", "pointVectorField",
+            f"0/{body.name}/{name}", f"point{kind.capitalize()}Field",
             f"dimensions {dimensions};\ninternalField nonuniform "
-            f"List<vector>\n{listed(U)};\nboundaryField{text(patches)}")
+            f"List<{kind}>\n{listed(U)};\nboundaryField{text(patches)}")
 
     def decompose(self, ranks, method="metis"):
         for region in ("", *(body.name for body in self.bodies)):
@@ -255,5 +262,6 @@ def values(function, X):
 
 
 def listed(X):
-    rows = "\n".join(f"({x:.17g} {y:.17g} {z:.17g})" for x, y, z in X)
+    rows = "\n".join(
+        "(" + " ".join(f"{x:.17g}" for x in row) + ")" for row in X)
     return f"{len(X)}\n(\n{rows}\n)\n"

@@ -78,6 +78,90 @@ def test_free_fall(tmp_path, figures):
                      largest(work - kinetic)/kinetic[-1], 1e-10)
 
 
+# Body forces
+
+def shaken(**more):
+    """A distorted block on a rigid base between two mirrors, with an initial
+    velocity."""
+    mirror = "symmetryPlane"
+    sides = {"back": condition("fixedVelocity", velocity=(0, 0, 0)),
+             "left": mirror, "bottom": mirror}
+    return block(3, 4, sides=sides, material=material("neoHookean"),
+                 velocity=lambda X: 0.1*X[:, 2:]*(X*(1, 0.5, 0)), **more)
+
+
+def test_uniform_body_force(tmp_path, figures):
+    """A uniform body force is the gravity of constant/g, bit by bit, and two
+    of half its size are, too."""
+    g = np.array((0.1, 0.05, -0.2))
+    forces = {"weight": {"type": "uniform", "acceleration": g}}
+    halves = {name: {"type": "uniform", "acceleration": g/2}
+              for name in ("half", "otherHalf")}
+    gravity = SmallCase(tmp_path/"g", (shaken(), shaken(name="other")),
+                        endTime=1, gravity=g).run()
+    force = SmallCase(tmp_path/"force",
+                      (shaken(forces=forces), shaken(name="other",
+                                                     forces=halves)), endTime=1)
+    code, log = force.attempt()
+    work = [case.energies["body:externalWork"] for case in (gravity, force)]
+    with figures("uniform body force") as f:
+        f.equal("exit code", code, 0)
+        f.equal("body forces reported", re.findall(
+            r"gravity (\w+), body forces (.*), contact", log),
+            [("off", "weight (uniform)"),
+             ("off", "half (uniform) otherHalf (uniform)")])
+        for region in "body", "other":
+            for name in "pointU", "pointD", "F", "J", "sigma":
+                f.atMost(f"{region}, {name}: difference to gravity", largest(
+                    gravity.at(name, region=region)
+                    - force.at(name, region=region)), 0)
+        f.atLeast("|D|", largest(gravity.at("pointD")), 0.05)
+        f.atMost("work: difference / work",
+                 largest(work[0] - work[1])/largest(work[0]), 1e-12)
+
+
+def test_body_force_in_time(tmp_path, figures):
+    """A uniform body force that changes in time gives a free body its impulse,
+    by the trapezoidal rule of the two stages, and no stress; a body between
+    mirrors keeps off them; and the power of the force closes the balance of
+    energies."""
+    times, a = (0, 0.7, 1.1, 3), np.array(
+        ((0, 0, 0), (0.1, -0.2, 0.05), (-0.3, 0.1, 0.2), (0, 0.2, -0.1)))
+    forces = {"shaking": {"type": "uniform",
+                          "acceleration": table(*zip(times, a))}}
+    free = [block(d, 4, name=f"free{d}", forces=forces,
+                  material=material("neoHookean")) for d in (1, 2, 3)]
+    case = SmallCase(tmp_path, (*free, shaken(forces=forces)),
+                     endTime=times[-1]).run()
+
+    t = case.energies["Time"]
+    rate = np.stack([np.interp(t, times, a[:, i]) for i in range(3)], axis=1)
+    steps = np.diff(t)[:, None]*(rate[1:] + rate[:-1])/2
+    impulse = np.vstack((np.zeros(3), np.cumsum(steps, axis=0)))
+    scale = largest(impulse)
+    X, v = case.X("body"), case.at("pointU", region="body")
+    with figures("body force in time") as f:
+        f.atLeast("steps", len(t), 50)
+        for d, body in enumerate(free, start=1):
+            inside = np.arange(3) < d
+            f.atMost(f"{d}D, momentum - impulse / largest impulse", largest(
+                case.momentumOf(body.name) - impulse*inside)/scale, 1e-12)
+            f.atMost(f"{d}D, largest stress / E", largest(
+                case.at("sigma", region=body.name)), 1e-12)
+            work = case.energies[f"{body.name}:externalWork"]
+            kinetic = case.energies[f"{body.name}:kinetic"]
+            f.atMost(f"{d}D, work - kinetic energy / largest", largest(
+                work - kinetic)/largest(kinetic), 1e-4)
+        for i, side in enumerate(("left", "bottom")):
+            f.atMost(f"between mirrors, velocity through the {side}",
+                     largest(v[np.abs(X[:, i]) < 1e-9, i]), 0)
+        total = case.energies["body:kinetic"] + case.energies["body:strain"]
+        f.atLeast("between mirrors, work / largest energy", largest(
+            case.energies["body:externalWork"])/largest(total), 0.5)
+        f.atMost("between mirrors, balance residual / largest energy", largest(
+            case.energies["body:balance"])/largest(total), 1e-3)
+
+
 @pytest.mark.parametrize("dimensions", (1, 2, 3))
 def test_linear_displacement(tmp_path, figures, dimensions):
     """An initial displacement D = A X gives F = I + A at every node, corners

@@ -67,6 +67,27 @@ autoPtr<materialModel> readMaterial
     return materialModel::New(dict, options.jacobian);
 }
 
+PtrList<bodyForce> readBodyForces
+(
+    const medianDual& dual,
+    const materialModel& material
+)
+{
+    const polyMesh& mesh = dual.mesh();
+    return bodyForce::readAll
+    (
+        IOdictionary
+        (
+            solidIO
+            (
+                "bodyForces", mesh.time().constant(), mesh,
+                IOobject::READ_IF_PRESENT
+            )
+        ),
+        dual, material
+    );
+}
+
 } // End anonymous namespace
 
 
@@ -239,6 +260,49 @@ void Foam::solidBody::syncRates()
 }
 
 
+void Foam::solidBody::addBodyForces(const scalar time, const bool energy)
+{
+    const label d = dual_.nDim();
+    const scalar* v = data_.W.cdata();
+    const auto& owned = dual_.sharing().owned();
+
+    // Force per volume
+    const auto add = [&](const label a, const label i, const scalar f)
+    {
+        data_.rateLm[a*d + i] += f;
+        if (energy && owned[a])
+        {
+            powers_.external += dual_.nodeVolume()[a]*f*v[a*data_.nW + i];
+        }
+    };
+
+    for (label i = 0; i < d; ++i)
+    {
+        if (gravity_[i] != 0)
+        {
+            const scalar f = data_.rho*gravity_[i];
+            for (label a = 0; a < dual_.nNodes(); ++a) add(a, i, f);
+        }
+    }
+
+    if (bodyForces_.size())
+    {
+        acceleration_ = Zero;
+        for (const bodyForce& force : bodyForces_)
+        {
+            force.add(time, acceleration_);
+        }
+        for (label a = 0; a < dual_.nNodes(); ++a)
+        {
+            for (label i = 0; i < d; ++i)
+            {
+                add(a, i, data_.rho*acceleration_[a*d + i]);
+            }
+        }
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::solidBody::solidBody(const Time& runTime, const word& region)
@@ -274,7 +338,12 @@ Foam::solidBody::solidBody(const Time& runTime, const word& region)
     corners_(mesh_.boundaryMesh().size()),
     depth_(mesh_.boundaryMesh().size()),
     boundaryArea_(dual_.nNodes(), Zero),
-    gravity_(dual_.nDim(), Zero)
+    gravity_(dual_.nDim(), Zero),
+    bodyForces_(readBodyForces(dual_, *material_)),
+    acceleration_
+    (
+        bodyForces_.size() ? dual_.nNodes()*dual_.nDim() : label(0), Zero
+    )
 {
     // Boundary areas, too, belong to the surface of a dual cell; those of
     // mirrors lie inside the whole body
@@ -467,7 +536,12 @@ void Foam::solidBody::prepare(const scalar time)
 }
 
 
-void Foam::solidBody::computeRates(const bool energy, const scalar dt)
+void Foam::solidBody::computeRates
+(
+    const scalar time,
+    const bool energy,
+    const scalar dt
+)
 {
     const label d = dual_.nDim();
     const nodeSharing& sharing = dual_.sharing();
@@ -553,24 +627,7 @@ void Foam::solidBody::computeRates(const bool energy, const scalar dt)
         powers_.numericalDissipation += angularMomentum_.correct(data_, dt);
     }
 
-    // Body force
-    const scalar* v = data_.W.cdata();
-    for (label i = 0; i < d; ++i)
-    {
-        if (gravity_[i] != 0)
-        {
-            const scalar f = data_.rho*gravity_[i];
-            for (label a = 0; a < dual_.nNodes(); ++a)
-            {
-                data_.rateLm[a*d + i] += f;
-                if (energy && sharing.owned()[a])
-                {
-                    powers_.external +=
-                        dual_.nodeVolume()[a]*f*v[a*data_.nW + i];
-                }
-            }
-        }
-    }
+    addBodyForces(time, energy);
 
     if (symmetry_.active())
     {

@@ -426,7 +426,12 @@ void Foam::solidBody::report(Ostream& os) const
     const label nNodes = returnReduce(dual_.nNodes(), sumOp<label>());
     const std::size_t bytes = returnReduce
     (
-        scalar(data_.bytes() + dual_.bytes()), sumOp<scalar>()
+        scalar
+        (
+            data_.bytes() + dual_.bytes()
+          + acceleration_.size()*sizeof(scalar)
+        ),
+        sumOp<scalar>()
     );
     const auto onOff = [](const bool on) { return on ? "on" : "off"; };
 
@@ -463,7 +468,13 @@ void Foam::solidBody::report(Ostream& os) const
         << ", gradients " << onOff(data_.nR > 0)
         << ", limiter " << onOff(options_.limiter != limiterType::none)
         << ", angular momentum preserved " << onOff(angularMomentum_.active())
-        << ", body force " << onOff(mag(max(gravity_)) + mag(min(gravity_)) > 0)
+        << ", gravity " << onOff(mag(max(gravity_)) + mag(min(gravity_)) > 0)
+        << ", body forces";
+    for (const bodyForce& force : bodyForces_)
+    {
+        os  << ' ' << force.name() << " (" << force.type() << ')';
+    }
+    os  << (bodyForces_.empty() ? " off" : "")
         << ", contact " << onOff(hasContact_)
         << ", plasticity off" << nl
         << "    " << label(scalar(bytes)/max(nNodes, label(1)))

@@ -143,7 +143,7 @@ void Foam::solidSystem::evaluate(const scalar time, const int stage)
     {
         body.computeRates
         (
-            energiesOn_, stage == 0 ? 0 : runTime_.deltaTValue()
+            time, energiesOn_, stage == 0 ? 0 : runTime_.deltaTValue()
         );
     }
 }

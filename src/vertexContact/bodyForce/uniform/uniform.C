@@ -1,0 +1,90 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+Class
+    Foam::bodyForces::uniform
+
+Description
+    The same acceleration [m/s2] everywhere, a constant or any Function1 of
+    time: a support that shakes, seen from the support, or gravity that is
+    switched on slowly. Components in directions that the scene leaves out are
+    ignored.
+
+Usage
+    \verbatim
+        shaking
+        {
+            type         uniform;
+            acceleration (0 0 -9.81);
+        }
+    \endverbatim
+
+\*---------------------------------------------------------------------------*/
+
+#include "bodyForce.H"
+#include "dictionaryCheck.H"
+#include "timeValue.H"
+#include "addToRunTimeSelectionTable.H"
+
+// * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace bodyForces
+{
+
+class uniform
+:
+    public bodyForce
+{
+    const timeValue<vector> acceleration_;
+
+    static const dictionary& checked(const dictionary& dict)
+    {
+        dictionaryCheck::onlyKeywords
+        (
+            dict, wordList({"type", "acceleration", "accelerationCoeffs"})
+        );
+        return dict;
+    }
+
+public:
+
+    TypeName("uniform");
+
+    uniform
+    (
+        const dictionary& dict,
+        const medianDual& dual,
+        const materialModel&
+    )
+    :
+        bodyForce(checked(dict), dual),
+        acceleration_("acceleration", dict)
+    {}
+
+    virtual void add(const scalar time, scalarField& acceleration) const
+    {
+        const vector given = acceleration_(time);
+        const label d = dual().nDim();
+        for (label i = 0; i < d; ++i)
+        {
+            const scalar along = given[dual().directions()[i]];
+            for (label a = 0; a < dual().nNodes(); ++a)
+            {
+                acceleration[a*d + i] += along;
+            }
+        }
+    }
+};
+
+
+defineTypeNameAndDebug(uniform, 0);
+addToRunTimeSelectionTable(bodyForce, uniform, dictionary);
+
+} // End namespace bodyForces
+} // End namespace Foam
+
+
+// ************************************************************************* //
