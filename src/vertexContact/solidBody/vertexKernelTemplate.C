@@ -87,7 +87,8 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
         const SolidVector<D> c = waveArea(d.state, a, b, C);
         const scalar cc = dot(c, c);
         const scalar magC = std::sqrt(dot(C, C));
-        const scalar perC = cc > 0 ? 1/std::sqrt(cc) : 0;
+        const scalar magc = std::sqrt(cc);
+        const scalar perC = 1/(magc + VSMALL);
         SolidVector<D> n;
         for (int i = 0; i < D; ++i) n[i] = perC*c[i];
 
@@ -205,31 +206,34 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
         scalar fluxJ = 0;
         if constexpr (nSJ == 1)
         {
-            fluxJ = magC > 0 ? perZp*cc/magC*jumpSJ : 0;
+            fluxJ = perZp*cc/(magC + VSMALL)*jumpSJ;
             rateJ[a] += fluxJ;
             rateJ[b] -= fluxJ;
         }
 
         // Waves cross the deformed area where that is larger
-        const scalar w = finite ? std::sqrt(max(cc, sqr(magC))) : magC;
+        const scalar w = finite ? max(magc, magC) : magC;
         waveSum[a] += w;
         waveSum[b] += w;
 
-        // Discrete energy equation of the edge: what its fluxes take from the
-        // two nodes beyond the telescoping part (68), (72)
+        // Discrete energy equation of the edge, what its fluxes take from the
+        // two nodes beyond the telescoping part (68), (72):
+        //   va.Pa C - vb.Pb C - (va - vb).t - vAvg.(Pa - Pb) C,
+        // in which the means of the nodes cancel
         if constexpr (energy)
         {
             for (int i = 0; i < D; ++i)
             {
-                scalar ta = 0, tb = 0;
+                scalar mean = 0, difference = 0;
                 for (int j = 0; j < D; ++j)
                 {
-                    ta += Wa[atP + i*D + j]*C[j];
-                    tb += Wb[atP + i*D + j]*C[j];
+                    const int k = atP + i*D + j;
+                    mean += 0.5*(Wa[k] + Wb[k])*C[j];
+                    difference += (Wb[k] - Wa[k])*C[j];
                 }
                 dissipation +=
-                    Wa[i]*ta - Wb[i]*tb
-                  - (Wa[i] - Wb[i])*t[i] - vAvg[i]*(ta - tb);
+                    (Wb[i] - Wa[i])*(t[i] - mean)
+                  + (vAvg[i] - 0.5*(Wa[i] + Wb[i]))*difference;
             }
             if constexpr (nSJ == 1)
             {
