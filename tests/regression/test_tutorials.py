@@ -9,7 +9,16 @@ from caseTools import checked, copyTutorials, execute, root
 TUTORIALS = sorted(
     str(file.parent.relative_to(root/"tutorials"))
     for file in (root/"tutorials").rglob("Allrun"))
-SETTINGS = {"MESH": "32"}   # coarse
+
+
+def settings(tutorial):
+    """Coarse meshes."""
+    name = tutorial.split("/")[0]
+    return {"MESH": {"twoBarImpact": "32", "spinningCube": "2",
+                     "twistingColumn": "2"}.get(name, "4")}
+
+
+FAULTY = "twoBarImpact/similar"     # the tutorial of the tests of failures
 
 
 @pytest.fixture
@@ -32,7 +41,7 @@ def changes(repository):
 def test_tutorial(repository, figures, tmp_path, tutorial):
     case = repository/tutorial
     allrun = str(case/"Allrun")         # called from elsewhere
-    output = checked([allrun], tmp_path, **SETTINGS)
+    output = checked([allrun], tmp_path, **settings(tutorial))
     assert len(output.splitlines()) < 20
     pictures = sorted(case.glob("*.png"))
     assert pictures and all(p.stat().st_size > 10000 for p in pictures)
@@ -44,7 +53,7 @@ def test_tutorial(repository, figures, tmp_path, tutorial):
                  if not line.startswith("A  ")]
     assert untracked == []
 
-    checked([allrun], tmp_path, **SETTINGS)
+    checked([allrun], tmp_path, **settings(tutorial))
     second = (case/"postProcessing/solidEnergies/0/energies.dat").read_bytes()
     checked([str(case/"Allclean")], tmp_path)
     with figures(f"7 {tutorial}") as f:
@@ -59,25 +68,25 @@ def test_copied_case(tmp_path, tutorial):
     case = tmp_path/"mine"
     (tutorials/tutorial).rename(case)
     shutil.rmtree(tutorials)
-    checked(["./Allrun"], case, **SETTINGS, PLOT="0")
+    checked(["./Allrun"], case, **settings(tutorial), PLOT="0")
     assert not list(case.glob("*.png"))
 
 
 @pytest.mark.parametrize("variable, value", (
     ("MESH", "V"), ("MESH", "-3"), ("NP", "0"), ("NP", "two")))
 def test_wrong_option(repository, variable, value):
-    case = repository/TUTORIALS[0]
+    case = repository/FAULTY
     done = execute(["./Allrun"], case, PLOT="0",
-                   **{**SETTINGS, variable: value})
+                   **{**settings(FAULTY), variable: value})
     assert done.returncode != 0
     assert "FAILED" in done.stdout and f"{variable}={value}" in done.stdout
 
 
 def test_failure_is_reported(repository):
     """The program that failed, the end of its log and an exit code."""
-    case = repository/TUTORIALS[0]
+    case = repository/FAULTY
     (case/"constant"/"bar2"/"mechanicalProperties").unlink()
-    done = execute(["./Allrun"], case, PLOT="0", **SETTINGS)
+    done = execute(["./Allrun"], case, PLOT="0", **settings(FAULTY))
     assert done.returncode != 0
     assert "FAILED: vertexContactFoam" in done.stdout
     assert "FOAM FATAL" in done.stdout
