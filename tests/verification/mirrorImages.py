@@ -26,13 +26,15 @@ def partners(case, left, right, plane, tolerance=1e-9):
 
 def asymmetry(case, left, right, plane):
     """Largest difference of velocity, displacement and stress from the mirror
-    image, over the largest value of the field, at all times written."""
+    image at any time written, over the largest value of the field at all."""
     index = partners(case, left, right, plane)
     worst = 0.0
-    for time in case.times:
-        for name, signs in (("pointU", VECTOR), ("pointD", VECTOR),
-                            ("sigma", SYMM)):
+    for name, signs in (("pointU", VECTOR), ("pointD", VECTOR),
+                        ("sigma", SYMM)):
+        difference = largest = 0.0
+        for time in case.times:
             a, b = case.field(time, left, name), case.field(time, right, name)
-            difference = np.abs(a - signs*b[index]).max()
-            worst = max(worst, difference/np.abs(a).max())
+            difference = max(difference, np.abs(a - signs*b[index]).max())
+            largest = max(largest, np.abs(a).max())
+        worst = max(worst, difference/largest)
     return worst
