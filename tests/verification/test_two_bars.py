@@ -116,7 +116,11 @@ def test_refinement(run, figures):
     all_ = [errors(case) for case in cases]
     with figures("1 128 to 1024") as f:
         for key in all_[0]:
-            f.falling(f"{key}, relative L1 error [%]", [e[key] for e in all_])
+            values = [e[key] for e in all_]
+            f.falling(f"{key}, relative L1 error [%]", values)
+            # Of the shocks: 1 is the most that any scheme has
+            f.atLeast(f"{key}, order of the L1 error",
+                      np.log2(values[0]/values[-1])/(len(values) - 1), 0.75)
         f.falling("energy loss at the end [%]", [loss(c) for c in cases])
 
 
