@@ -62,6 +62,7 @@ int main(int argc, char *argv[])
         runTime.write();
     }
 
+    solids.reportCost(Info);
     runTime.printExecutionTime(Info);
     Info<< "End" << nl << endl;
 

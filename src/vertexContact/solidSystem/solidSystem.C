@@ -9,6 +9,7 @@
 #include "fileError.H"
 #include "uniformDimensionedFields.H"
 #include "IOdictionary.H"
+#include <chrono>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -88,6 +89,15 @@ wordList regionNames(const Time& runTime)
     return names;
 }
 
+double secondsSince(const std::chrono::steady_clock::time_point& start)
+{
+    return
+        std::chrono::duration<double>
+        (
+            std::chrono::steady_clock::now() - start
+        ).count();
+}
+
 } // End anonymous namespace
 
 
@@ -113,6 +123,7 @@ void Foam::solidSystem::evaluate(const scalar time, const int stage)
     }
 
     // Contact: gaps close and open by the status of the latest first stage
+    const auto start = std::chrono::steady_clock::now();
     for (contactInterface& contact : interfaces_)
     {
         contact.remember();
@@ -126,7 +137,7 @@ void Foam::solidSystem::evaluate(const scalar time, const int stage)
     }
     for (contactInterface& contact : interfaces_)
     {
-        contact.solve(stage == 0);
+        contact.solve(time, stage == 0);
     }
     if (stage == 0)
     {
@@ -138,6 +149,7 @@ void Foam::solidSystem::evaluate(const scalar time, const int stage)
             }
         }
     }
+    contactSeconds_ += secondsSince(start);
 
     for (solidBody& body : bodies_)
     {
@@ -168,10 +180,26 @@ void Foam::solidSystem::advance(const scalar deltaT, const int stage)
         contact.accumulate(0.5*deltaT);
     }
 
-    if (returnReduce(nBad, sumOp<label>()) > 0)
+    // Whether a pairing is outdated shares the reduction
+    bool outdated = false;
+    if (stage == 1)
+    {
+        for (contactInterface& contact : interfaces_)
+        {
+            outdated =
+                outdated
+             || (contact.moves() && contact.outdated(runTime_.value()));
+        }
+    }
+    const vector2D wrong
+    (
+        returnReduce(vector2D(nBad, outdated), sumOp<vector2D>())
+    );
+    if (wrong.x() > 0)
     {
         stopOnBadState();
     }
+    pairAgain_ = pairAgain_ || wrong.y() > 0;
 }
 
 
@@ -320,7 +348,7 @@ Foam::solidSystem::solidSystem(Time& runTime)
             }
             interfaces_.set
             (
-                n++, new contactInterface(e.keyword(), e.dict(), bodies_)
+                n++, contactInterface::New(e.keyword(), e.dict(), bodies_)
             );
         }
     }
@@ -333,10 +361,9 @@ Foam::solidSystem::solidSystem(Time& runTime)
             bool named = false;
             for (const contactInterface& contact : interfaces_)
             {
-                for (const contactSide* s : {&contact.minus(), &contact.plus()})
+                for (const contactSide& s : contact.sides())
                 {
-                    named =
-                        named || (s->body == &body && s->patchi == patchi);
+                    named = named || (s.body == &body && s.patchi == patchi);
                 }
             }
             if (!named)
@@ -449,6 +476,21 @@ Foam::solidSystem::computeEnergies() const
 
 void Foam::solidSystem::startStep()
 {
+    const auto start = std::chrono::steady_clock::now();
+    if (pairAgain_)
+    {
+        for (contactInterface& contact : interfaces_)
+        {
+            if (contact.moves())
+            {
+                contact.update(runTime_.value());
+            }
+        }
+        pairAgain_ = false;
+        ++nPairings_;
+        pairingSeconds_ += secondsSince(start);
+    }
+
     // What a step that goes wrong has to put back
     startOfStep_ = runTime_.value();
     oldAccounts_ = accounts_;
@@ -481,11 +523,13 @@ void Foam::solidSystem::startStep()
         );
         runTime_.setDeltaT(fitToWriteTimes(maxCo*timeStepLimit_), false);
     }
+    stepSeconds_ += secondsSince(start);
 }
 
 
 void Foam::solidSystem::finishStep()
 {
+    const auto start = std::chrono::steady_clock::now();
     const scalar deltaT = runTime_.deltaTValue();
 
     advance(deltaT, 0);
@@ -493,6 +537,7 @@ void Foam::solidSystem::finishStep()
     advance(deltaT, 1);
 
     ++steps_;
+    stepSeconds_ += secondsSince(start);
 }
 
 

@@ -154,6 +154,12 @@ void Foam::solidSystem::log()
 
 void Foam::solidSystem::writeAll()
 {
+    // As a run that is restarted from here
+    for (const contactInterface& contact : interfaces_)
+    {
+        pairAgain_ = pairAgain_ || contact.moves();
+    }
+
     for (solidBody& body : bodies_)
     {
         body.write();
@@ -231,6 +237,19 @@ void Foam::solidSystem::report(Ostream& os) const
         os  << "No contact interfaces" << nl;
     }
     os  << endl;
+}
+
+
+void Foam::solidSystem::reportCost(Ostream& os) const
+{
+    if (interfaces_.size() && steps_)
+    {
+        const scalar percent = 100/max(stepSeconds_, VSMALL);
+        os  << "Contact: " << percent*pairingSeconds_
+            << " % of the time of the steps in " << nPairings_
+            << " pairings, " << percent*contactSeconds_ << " % in fluxes"
+            << nl << nl;
+    }
 }
 
 

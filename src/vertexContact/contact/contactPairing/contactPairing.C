@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "contactPairing.H"
+#include "solidBody.H"
 #include "dictionaryCheck.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -14,6 +15,137 @@ namespace Foam
     defineTypeNameAndDebug(contactPairing, 0);
     defineRunTimeSelectionTable(contactPairing, dictionary);
 }
+
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+Foam::label numberOfCorners(const Foam::contactSide& side)
+{
+    return side.body->dual().patches()[side.patchi].nCorners();
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * //
+
+void Foam::contactPairing::setOverlaps(DynamicList<contactOverlap>& overlaps)
+{
+    const label firstMinus = minusCorners_.toGlobal(0);
+
+    labelList plus(4*overlaps.size());
+    label n = 0;
+    for (contactOverlap& o : overlaps)
+    {
+        for (label j = 0; j < o.minus.size; ++j)
+        {
+            o.minus.corner[j] -= firstMinus;
+        }
+        for (label j = 0; j < o.plus.size; ++j)
+        {
+            plus[n++] = o.plus.corner[j];
+        }
+    }
+    plus.setSize(n);
+
+    map_.clear();
+    if (Pstream::parRun())
+    {
+        // Global corners to slots
+        List<Map<label>> compact;
+        map_.reset(new mapDistribute(plusCorners_, plus, compact));
+        n = 0;
+        for (contactOverlap& o : overlaps)
+        {
+            for (label j = 0; j < o.plus.size; ++j)
+            {
+                o.plus.corner[j] = plus[n++];
+            }
+        }
+    }
+
+    active_ = returnReduce(overlaps.size(), sumOp<label>()) > 0;
+    overlaps_ = overlaps;
+}
+
+
+Foam::vector Foam::contactPairing::areaVector(const contactSide& side)
+{
+    const dualPatch& patch = side.body->dual().patches()[side.patchi];
+    const label d = side.body->dual().nDim();
+
+    vector sum(Zero);
+    forAll(patch.cornerArea, k)
+    {
+        sum +=
+            patch.cornerArea[k]
+           *side.body->expand(patch.cornerNormal.cdata() + k*d);
+    }
+    reduce(sum, sumOp<vector>());
+    return sum;
+}
+
+
+Foam::vector Foam::contactPairing::gapDirection(const dictionary& dict) const
+{
+    const vector Sm = areaVector(minus_), Sp = areaVector(plus_);
+    vector direction(Zero);
+    if (dict.found("direction"))
+    {
+        direction = minus_.body->projected(dict.get<vector>("direction"));
+        if (mag(direction) < SMALL)
+        {
+            FatalIOErrorInFunction(dict)
+                << "Keyword 'direction' has no component in the solution "
+                << "directions" << exit(FatalIOError);
+        }
+    }
+    else if (mag(Sm - Sp) > 0.1*(mag(Sm) + mag(Sp)))
+    {
+        direction = Sm/max(mag(Sm), VSMALL) - Sp/max(mag(Sp), VSMALL);
+    }
+    if (mag(direction) < 1e-6)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Keyword 'direction': the mean normals of the sides "
+            << minus_.body->name() << ' ' << minus_.patchName << " and "
+            << plus_.body->name() << ' ' << plus_.patchName
+            << " do not oppose each other." << nl
+            << "Give the direction of the gap, from the first side to the "
+            << "second" << exit(FatalIOError);
+    }
+    return direction/mag(direction);
+}
+
+
+void Foam::contactPairing::checkKeywords
+(
+    const dictionary& dict,
+    const wordList& own
+)
+{
+    wordList valid({"sides", "pairing", "transfer", "law"});
+    valid.append(own);
+    dictionaryCheck::onlyKeywords(dict, valid);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::contactPairing::contactPairing
+(
+    const contactSide& minus,
+    const contactSide& plus
+)
+:
+    minus_(minus),
+    plus_(plus),
+    minusCorners_(numberOfCorners(minus)),
+    plusCorners_(numberOfCorners(plus))
+{}
 
 
 // * * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * //
@@ -40,14 +172,16 @@ Foam::autoPtr<Foam::contactPairing> Foam::contactPairing::New
             dictionaryConstructorTablePtr_->sortedToc()
         );
     }
+    if (minus == plus && pairingType != "nearestFace")
+    {
+        FatalIOErrorInFunction(dict)
+            << "Keyword 'sides' names the same side twice: "
+            << minus.body->name() << ' ' << minus.patchName
+            << ". Only 'pairing nearestFace' pairs a surface with itself"
+            << exit(FatalIOError);
+    }
 
     return constructorPtr(dict, minus, plus);
-}
-
-
-Foam::wordList Foam::contactPairing::keywords()
-{
-    return wordList({"pairing", "direction"});
 }
 
 

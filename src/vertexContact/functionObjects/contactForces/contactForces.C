@@ -41,12 +41,10 @@ Foam::functionObjects::contactForces::contactForces
         {
             OFstream& os = *file;
             os  << "# Time[s]";
-            for (const contactSide* side : {&contact.minus(), &contact.plus()})
+            const Pair<string> sides(contact.sideNames());
+            for (const string* side : {&sides.first(), &sides.second()})
             {
-                const string label
-                (
-                    side->body->name() + '.' + side->patchName + ':'
-                );
+                const string label(*side + ':');
                 for (const char* c : {"Fx[N]", "Fy[N]", "Fz[N]"})
                 {
                     os  << ' ' << label.c_str() << c;
@@ -57,7 +55,7 @@ Foam::functionObjects::contactForces::contactForces
                 }
             }
             os  << " area[m2] peakPressure[Pa] penetration[m]"
-                << " open stick slip" << endl;
+                << " relativePenetration[-] open stick slip" << endl;
             files_.set(i, file.ptr());
         }
     }
@@ -84,6 +82,8 @@ bool Foam::functionObjects::contactForces::write()
         const scalar peak = returnReduce(mine.peakPressure, maxOp<scalar>());
         const scalar deepest =
             returnReduce(mine.penetration, maxOp<scalar>());
+        const scalar relative =
+            returnReduce(mine.relativePenetration, maxOp<scalar>());
         const label nOpen = returnReduce(mine.nOpen, sumOp<label>());
         const label nStick = returnReduce(mine.nStick, sumOp<label>());
         const label nSlip = returnReduce(mine.nSlip, sumOp<label>());
@@ -97,7 +97,7 @@ bool Foam::functionObjects::contactForces::write()
                 os  << ' ' << v.x() << ' ' << v.y() << ' ' << v.z();
             }
             os  << ' ' << area << ' ' << peak << ' ' << deepest
-                << ' ' << nOpen << ' ' << nStick << ' ' << nSlip << endl;
+                << ' ' << relative << ' ' << nOpen << ' ' << nStick << ' ' << nSlip << endl;
         }
     }
 

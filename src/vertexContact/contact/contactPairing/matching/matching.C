@@ -48,26 +48,6 @@ Foam::List<T> gathered(const Foam::List<T>& mine)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::vector Foam::contactPairings::matching::areaVector
-(
-    const contactSide& side
-)
-{
-    const dualPatch& patch = side.body->dual().patches()[side.patchi];
-    const label d = side.body->dual().nDim();
-
-    vector sum(Zero);
-    forAll(patch.cornerArea, k)
-    {
-        sum +=
-            patch.cornerArea[k]
-           *side.body->expand(patch.cornerNormal.cdata() + k*d);
-    }
-    reduce(sum, sumOp<vector>());
-    return sum;
-}
-
-
 Foam::labelList Foam::contactPairings::matching::facing
 (
     const contactSide& side,
@@ -142,35 +122,11 @@ Foam::contactPairings::matching::matching
     const contactSide& minus,
     const contactSide& plus
 )
+:
+    contactPairing(minus, plus)
 {
-    // Direction of the gap
-    const vector Sm = areaVector(minus), Sp = areaVector(plus);
-    vector direction(Zero);
-    if (dict.found("direction"))
-    {
-        direction = minus.body->projected(dict.get<vector>("direction"));
-        if (mag(direction) < SMALL)
-        {
-            FatalIOErrorInFunction(dict)
-                << "Keyword 'direction' has no component in the solution "
-                << "directions" << exit(FatalIOError);
-        }
-    }
-    else if (mag(Sm - Sp) > 0.1*(mag(Sm) + mag(Sp)))
-    {
-        direction = Sm/max(mag(Sm), VSMALL) - Sp/max(mag(Sp), VSMALL);
-    }
-    if (mag(direction) < 1e-6)
-    {
-        FatalIOErrorInFunction(dict)
-            << "Keyword 'direction': the mean normals of the sides "
-            << minus.body->name() << ' ' << minus.patchName << " and "
-            << plus.body->name() << ' ' << plus.patchName
-            << " do not oppose each other." << nl
-            << "Give the direction of the gap, from the first side to the "
-            << "second" << exit(FatalIOError);
-    }
-    direction /= mag(direction);
+    checkKeywords(dict, wordList({"direction"}));
+    const vector direction(gapDirection(dict));
 
     // Corners of both sides in the plane across the gap
     vectorField placeMinus, placePlus;
@@ -182,14 +138,10 @@ Foam::contactPairings::matching::matching
     for (vector& p : placeMinus) p -= (p & direction)*direction;
     for (vector& p : placePlus) p -= (p & direction)*direction;
 
-    const globalIndex plusIndex
-    (
-        plus.body->dual().patches()[plus.patchi].nCorners()
-    );
     labelList globalPlus(cornersPlus);
     for (label& k : globalPlus)
     {
-        k = plusIndex.toGlobal(k);
+        k = plusCorners_.toGlobal(k);
     }
     const labelList allGlobal(gathered(globalPlus));
     const pointField allPlus(gathered(placePlus));
@@ -262,17 +214,35 @@ Foam::contactPairings::matching::matching
             << "needs the same mesh on both sides" << exit(FatalIOError);
     }
 
-    minusCorner_.transfer(corners);
-    minusShare_.setSize(minusCorner_.size(), scalar(1));
-    plusShare_.setSize(minusCorner_.size(), scalar(1));
-    plusSlot_.transfer(partners);
-
-    if (Pstream::parRun())
+    const auto area = [](const contactSide& side)
     {
-        // Global corners to slots
-        List<Map<label>> compact;
-        map_.reset(new mapDistribute(plusIndex, plusSlot_, compact));
+        return side.body->dual().patches()[side.patchi].cornerArea;
+    };
+    const auto depth = [](const contactSide& side)
+    {
+        return side.body->depth(side.patchi);
+    };
+    const scalarField areaMinus(area(minus)), depthMinus(depth(minus));
+    const scalarField areaPlus(gathered(area(plus)));
+    const scalarField depthPlus(gathered(depth(plus)));
+    const scalar power = 1.0/max(label(1), minus.body->dual().nDim() - 1);
+
+    DynamicList<contactOverlap> overlaps(corners.size());
+    forAll(corners, o)
+    {
+        const label k = corners[o], partner = partners[o];
+        contactOverlap overlap;
+        overlap.minus =
+            contactOverlaps::whole(minusCorners_.toGlobal(k), areaMinus[k]);
+        overlap.plus = contactOverlaps::whole(partner, areaPlus[partner]);
+        overlap.depth = min(depthMinus[k], depthPlus[partner]);
+        overlap.width =
+            minus.body->dual().nDim() == 1
+          ? overlap.depth
+          : 2*std::pow(0.5*(areaMinus[k] + areaPlus[partner]), power);
+        overlaps.append(overlap);
     }
+    setOverlaps(overlaps);
 }
 
 

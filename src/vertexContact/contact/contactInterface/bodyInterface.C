@@ -1,0 +1,369 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "bodyInterface.H"
+#include "solidBody.H"
+#include "dictionaryCheck.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- Sum, but the least gap and the largest status
+struct combineAnswers
+{
+    template<class Answer>
+    void operator()(Answer& a, const Answer& b) const
+    {
+        for (label i = 0; i < 7; ++i) a[i] += b[i];
+        a[7] = min(a[7], b[7]);
+        a[8] = max(a[8], b[8]);
+    }
+};
+
+//- No corner is turned
+struct unchanged
+{
+    template<class T>
+    const T& operator()(const T& t) const { return t; }
+};
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::contactSide Foam::bodyInterface::readSide
+(
+    const dictionary& dict,
+    PtrList<solidBody>& bodies,
+    const label which
+)
+{
+    const List<Pair<word>> sides(dict.get<List<Pair<word>>>("sides"));
+
+    if (sides.size() != 2)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Keyword 'sides' has " << sides.size() << " entries: it needs "
+            << "two, each a region and a patch, as in "
+            << "((bar1 right) (bar2 left))" << exit(FatalIOError);
+    }
+    return findSide(dict, "sides", sides[which], bodies);
+}
+
+
+bool Foam::bodyInterface::readTwoWay(const dictionary& dict)
+{
+    const word transfer
+    (
+        dict.getOrDefault<word>("transfer", "conservative")
+    );
+    if (transfer != "conservative" && transfer != "twoWay")
+    {
+        dictionaryCheck::unknownModel
+        (
+            dict, "transfer", transfer, wordList({"conservative", "twoWay"})
+        );
+    }
+    return transfer == "twoWay";
+}
+
+
+void Foam::bodyInterface::collect(List<answerMessage>& answers) const
+{
+    if (!pairing_->distributed())
+    {
+        return;
+    }
+    const mapDistribute& map = pairing_->map();
+    mapDistributeBase::distribute
+    (
+        Pstream::commsTypes::nonBlocking,
+        List<labelPair>(),
+        plus_.body->corners(plus_.patchi).size(),
+        map.constructMap(),
+        false,
+        map.subMap(),
+        false,
+        answers,
+        combineAnswers(),
+        unchanged(),
+        noAnswer()
+    );
+}
+
+
+void Foam::bodyInterface::resize()
+{
+    const List<contactOverlap>& overlaps = pairing_->overlaps();
+
+    closed_.setSize(overlaps.size(), false);
+    problems_.setSize(overlaps.size());
+    gap_.setSize(overlaps.size(), GREAT);
+
+    if (twoWay_)
+    {
+        // Covered shares, by corner
+        scalarField minus(minus_.body->corners(minus_.patchi).size(), Zero);
+        const label nPlus = plus_.body->corners(plus_.patchi).size();
+        List<answerMessage> plus
+        (
+            pairing_->distributed() ? pairing_->map().constructSize() : nPlus,
+            noAnswer()
+        );
+        for (const contactOverlap& o : overlaps)
+        {
+            minus[o.minus.corner[0]] += o.minus.share;
+            plus[o.plus.corner[0]][0] += o.plus.share;
+        }
+        collect(plus);
+        if (pairing_->distributed())
+        {
+            pairing_->map().distribute(plus);
+        }
+        perMinusCovered_.setSize(overlaps.size());
+        perPlusCovered_.setSize(overlaps.size());
+        forAll(overlaps, o)
+        {
+            const contactOverlap& over = overlaps[o];
+            perMinusCovered_[o] = 1/minus[over.minus.corner[0]];
+            perPlusCovered_[o] = 1/plus[over.plus.corner[0]][0];
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::bodyInterface::bodyInterface
+(
+    const word& name,
+    const dictionary& dict,
+    PtrList<solidBody>& bodies
+)
+:
+    contactInterface(name, dict),
+    minus_(readSide(dict, bodies, 0)),
+    plus_(readSide(dict, bodies, 1)),
+    twoWay_(readTwoWay(dict)),
+    pairing_(contactPairing::New(dict, minus_, plus_))
+{
+    resize();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::List<Foam::contactSide> Foam::bodyInterface::sides() const
+{
+    return List<contactSide>({minus_, plus_});
+}
+
+
+Foam::Pair<Foam::string> Foam::bodyInterface::sideNames() const
+{
+    return Pair<string>
+    (
+        minus_.body->name() + '.' + minus_.patchName,
+        plus_.body->name() + '.' + plus_.patchName
+    );
+}
+
+
+void Foam::bodyInterface::update(const scalar time)
+{
+    pairing_->update(time);
+    resize();
+}
+
+
+void Foam::bodyInterface::remember()
+{
+    const dualPatch& patch =
+        minus_.body->corners(minus_.patchi).geometry;
+    const scalarField& status = minus_.body->contact().status;
+    const List<contactOverlap>& overlaps = pairing_->overlaps();
+
+    forAll(overlaps, o)
+    {
+        closed_[o] = status[patch.cornerNode[overlaps[o].minus.corner[0]]] > 0.5;
+    }
+}
+
+
+void Foam::bodyInterface::solve(const scalar, const bool firstStage)
+{
+    statistics_ = statistics();
+    if (!pairing_->active())
+    {
+        return;
+    }
+
+    cornerStates& M = minus_.body->corners(minus_.patchi);
+    cornerStates& P = plus_.body->corners(plus_.patchi);
+
+    // States of the plus side to where the minus side is
+    sent_.setSize(P.size());
+    forAll(sent_, k)
+    {
+        cornerMessage& m = sent_[k];
+        const vector x
+        (
+            plus_.body->position(P.geometry.cornerNode[k])
+        );
+        for (direction i = 0; i < 3; ++i)
+        {
+            m[i] = P.v[k][i];
+            m[3 + i] = P.t[k][i];
+            m[6 + i] = P.n[k][i];
+            m[9 + i] = x[i];
+        }
+        m[12] = P.stretch[k];
+    }
+    if (pairing_->distributed())
+    {
+        pairing_->map().distribute(sent_);
+    }
+
+    // The Riemann problem of each overlap, per current area
+    const List<contactOverlap>& overlaps = pairing_->overlaps();
+
+    forAll(problems_, o)
+    {
+        const contactOverlap& over = overlaps[o];
+        contactLaw::problem& p = problems_[o];
+
+        // The plus side at the centroid
+        cornerMessage m(scalar(0));
+        for (label j = 0; j < over.plus.size; ++j)
+        {
+            const cornerMessage& c = sent_[over.plus.corner[j]];
+            for (label i = 0; i < 13; ++i) m[i] += over.plus.value[j]*c[i];
+        }
+
+        // The minus side
+        vector x(Zero);
+        for (label j = 0; j < over.minus.size; ++j)
+        {
+            x +=
+                over.minus.value[j]
+               *minus_.body->position
+                (
+                    M.geometry.cornerNode[over.minus.corner[j]]
+                );
+        }
+        const vector nMinus(over.minus(M.n));
+        const scalar minusStretch = over.minus(M.stretch);
+        const scalar plusStretch = m[12];
+
+        p.n = nMinus - vector(m[6], m[7], m[8]);
+        const scalar magN = mag(p.n);
+        const bool opposed = magN > 1;
+        p.n = opposed ? p.n/magN : nMinus/mag(nMinus);
+
+        p.minus.v = over.minus(M.v);
+        p.minus.t = over.minus(M.t)/minusStretch;
+        p.minus.zp = M.zp/minusStretch;
+        p.minus.zs = M.zs/minusStretch;
+        p.plus.v = vector(m[0], m[1], m[2]);
+        p.plus.t = -vector(m[3], m[4], m[5])/plusStretch;
+        p.plus.zp = P.zp/plusStretch;
+        p.plus.zs = P.zs/plusStretch;
+
+        p.area =
+            0.5*(over.minus.area*minusStretch + over.plus.area*plusStretch);
+
+        gap_[o] = (vector(m[9], m[10], m[11]) - x) & p.n;
+        p.touching =
+            law_->bonded()
+         || (
+                opposed
+             && gap_[o] <= (closed_[o] ? openingGap : closingGap)*over.depth
+            );
+    }
+
+    law_->solve(problems_);
+
+    // Forces and velocities to both sides
+    answers_.setSize(sent_.size());
+    answers_ = noAnswer();
+    fluxes_.setSize(sent_.size());
+    fluxes_ = noAnswer();
+
+    forAll(problems_, o)
+    {
+        const contactOverlap& over = overlaps[o];
+        const contactLaw::problem& p = problems_[o];
+
+        scalar minusForce = p.area, plusForce = p.area;
+        scalar minusArea = over.minus.area, plusArea = over.plus.area;
+        if (twoWay_)
+        {
+            minusArea *= perMinusCovered_[o];
+            plusArea *= perPlusCovered_[o];
+            minusForce = minusArea*M.zp/p.minus.zp;
+            plusForce = plusArea*P.zp/p.plus.zp;
+        }
+
+        count(p, gap_[o], over.width, minusForce, plusForce);
+
+        const answerMessage toMinus
+        (
+            answer(p, minusForce, minusArea, gap_[o])
+        );
+        setState(minus_, over.minus.corner[0], toMinus, firstStage);
+        combineAnswers()
+        (
+            answers_[over.plus.corner[0]],
+            plusAnswer(p, plusForce, plusArea, gap_[o])
+        );
+
+        if (p.result.state != acousticRiemann::status::open)
+        {
+            for (label j = 0; j < over.minus.size; ++j)
+            {
+                addFlux(M, over.minus.corner[j], toMinus, over.minus.flux[j]);
+            }
+            const answerMessage toPlus
+            (
+                plusAnswer(p, plusForce, plusArea, gap_[o])
+            );
+            for (label j = 0; j < over.plus.size; ++j)
+            {
+                answerMessage& f = fluxes_[over.plus.corner[j]];
+                for (label i = 0; i < 6; ++i)
+                {
+                    f[i] += over.plus.flux[j]*toPlus[i];
+                }
+            }
+        }
+    }
+
+    collect(answers_);
+    collect(fluxes_);
+    for (label k = 0; k < P.size(); ++k)
+    {
+        setState(plus_, k, answers_[k], firstStage);
+        addFlux(P, k, fluxes_[k], 1);
+    }
+}
+
+
+void Foam::bodyInterface::report(Ostream& os) const
+{
+    os  << "Interface " << name() << ": " << minus_.body->name() << ' '
+        << minus_.patchName << " - " << plus_.body->name() << ' '
+        << plus_.patchName << ", pairing " << pairing_->type()
+        << (twoWay_ ? ", transfer twoWay" : "") << ", law " << law_->type()
+        << nl;
+}
+
+
+// ************************************************************************* //

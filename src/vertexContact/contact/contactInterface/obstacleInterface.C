@@ -1,0 +1,290 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "obstacleInterface.H"
+#include "contactSurface.H"
+#include "solidBody.H"
+#include "dictionaryCheck.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::contactSide Foam::obstacleInterface::readSide
+(
+    const dictionary& dict,
+    PtrList<solidBody>& bodies
+)
+{
+    dictionaryCheck::onlyKeywords
+    (
+        dict, wordList({"side", "obstacle", "motion", "law"})
+    );
+    return findSide(dict, "side", dict.get<Pair<word>>("side"), bodies);
+}
+
+
+Foam::autoPtr<Foam::searchableSurface>
+Foam::obstacleInterface::readSurface
+(
+    const word& name,
+    const dictionary& dict,
+    const Time& time
+)
+{
+    const dictionary& shape = dict.subDict("obstacle");
+    const word type(shape.get<word>("type"));
+
+    vertexContactLookupConstructor(searchableSurface, dict, type)
+
+    if (!constructorFound)
+    {
+        dictionaryCheck::unknownModel
+        (
+            shape, "type", type,
+            searchableSurface::dictConstructorTablePtr_->sortedToc()
+        );
+    }
+    return constructorPtr
+    (
+        IOobject
+        (
+            shape.getOrDefault<word>("file", name), time.constant(),
+            "triSurface", time, IOobject::MUST_READ, IOobject::NO_WRITE
+        ),
+        shape
+    );
+}
+
+
+Foam::scalar Foam::obstacleInterface::obstacleMoved(const scalar time) const
+{
+    if (!motion_.moves())
+    {
+        return 0;
+    }
+    const septernion now(motion_.pose(time));
+    const boundBox box(sideMotion_.box());
+    scalar moved = 0;
+    if (box.min().x() <= box.max().x())
+    {
+        const tmp<pointField> corners(box.points());
+        for (const point& x : corners())
+        {
+            const point X(oldPose_.invTransformPoint(x));
+            moved = max(moved, mag(now.transformPoint(X) - x));
+        }
+    }
+    return moved;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::obstacleInterface::obstacleInterface
+(
+    const word& name,
+    const dictionary& dict,
+    PtrList<solidBody>& bodies
+)
+:
+    contactInterface(name, dict),
+    side_(readSide(dict, bodies)),
+    surface_(readSurface(name, dict, side_.body->mesh().time())),
+    motion_(dict, side_.body->mesh().time()),
+    leastWidth_(GREAT),
+    width_(side_.body->corners(side_.patchi).size(), Zero),
+    sideMotion_(side_),
+    oldPose_(septernion::I)
+{
+    const dualPatch& patch = side_.body->dual().patches()[side_.patchi];
+    const contactFaceList faces
+    (
+        contactSurface::faces(side_, globalIndex(patch.nCorners()), false)
+    );
+    forAll(faces, f)
+    {
+        leastWidth_ = min(leastWidth_, faces[f].width);
+        for (label k = patch.faceStart[f]; k < patch.faceStart[f + 1]; ++k)
+        {
+            width_[k] = faces[f].width;
+        }
+    }
+    reduce(leastWidth_, minOp<scalar>());
+
+    update(side_.body->mesh().time().value());
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::List<Foam::contactSide> Foam::obstacleInterface::sides() const
+{
+    return List<contactSide>({side_});
+}
+
+
+Foam::Pair<Foam::string> Foam::obstacleInterface::sideNames() const
+{
+    return Pair<string>(side_.body->name() + '.' + side_.patchName, "obstacle");
+}
+
+
+bool Foam::obstacleInterface::outdated(const scalar time)
+{
+    return
+        sideMotion_.exceeded(time)
+     || (motion_.moves() && obstacleMoved(time) > allowed_);
+}
+
+
+void Foam::obstacleInterface::update(const scalar time)
+{
+    const dualPatch& patch = side_.body->dual().patches()[side_.patchi];
+    const label n = patch.nCorners();
+    oldPose_ = motion_.pose(time);
+
+    // Nearest points of the obstacle, in its own frame. The nodes of a patch
+    // are asked for once a corner: few, and seldom
+    pointField x(n);
+    forAll(x, k)
+    {
+        x[k] = oldPose_.invTransformPoint
+        (
+            side_.body->position(patch.cornerNode[k])
+        );
+    }
+    List<pointIndexHit> hits;
+    surface_->findNearest(x, scalarField(n, sqr(GREAT)), hits);
+    vectorField normals;
+    surface_->getNormal(hits, normals);
+
+    // Within one width of a face there is a plane
+    planes_.clear();
+    scalar nearest = GREAT;
+    const scalarField& depth = side_.body->depth(side_.patchi);
+    forAll(x, k)
+    {
+        if (hits[k].hit())
+        {
+            const scalar gap = (x[k] - hits[k].hitPoint()) & normals[k];
+            nearest = min(nearest, mag(x[k] - hits[k].hitPoint()));
+            if
+            (
+                gap <= leastWidth_ && gap >= -depth[k]
+             && mag(x[k] - hits[k].hitPoint()) <= max(leastWidth_, depth[k])
+            )
+            {
+                planes_.append
+                (
+                    plane{label(k), hits[k].hitPoint(), normals[k]}
+                );
+            }
+        }
+    }
+    closed_.setSize(planes_.size(), false);
+    problems_.setSize(planes_.size());
+    reduce(nearest, minOp<scalar>());
+
+    allowed_ =
+        nearest > leastWidth_
+      ? 0.5*(nearest - leastWidth_) + 0.4*leastWidth_
+      : 0.1*leastWidth_;
+    sideMotion_.start
+    (
+        time,
+        allowed_,
+        returnReduce(sideMotion_.speed(), maxOp<scalar>())
+      + 0.1*side_.body->material().cp()
+    );
+}
+
+
+void Foam::obstacleInterface::remember()
+{
+    const dualPatch& patch = side_.body->corners(side_.patchi).geometry;
+    const scalarField& status = side_.body->contact().status;
+
+    forAll(planes_, i)
+    {
+        closed_[i] = status[patch.cornerNode[planes_[i].corner]] > 0.5;
+    }
+}
+
+
+void Foam::obstacleInterface::solve(const scalar time, const bool firstStage)
+{
+    statistics_ = statistics();
+    if (planes_.empty())
+    {
+        return;
+    }
+
+    cornerStates& M = side_.body->corners(side_.patchi);
+    const scalarField& depth = side_.body->depth(side_.patchi);
+    const septernion pose(motion_.pose(time));
+
+    scalarField gap(planes_.size());
+    forAll(planes_, i)
+    {
+        const label k = planes_[i].corner;
+        contactLaw::problem& p = problems_[i];
+
+        const point x
+        (
+            side_.body->position(M.geometry.cornerNode[k])
+        );
+        const point X(pose.invTransformPoint(x));
+
+        // Out of the body
+        p.n = -pose.r().transform(planes_[i].n);
+        gap[i] = (X - planes_[i].x) & planes_[i].n;
+
+        p.minus.v = M.v[k];
+        p.minus.t = M.t[k]/M.stretch[k];
+        p.minus.zp = M.zp/M.stretch[k];
+        p.minus.zs = M.zs/M.stretch[k];
+        p.plus.v = motion_.velocity(time, x);
+        p.plus.t = vector::zero;
+        p.plus.zp = rigid*p.minus.zp;
+        p.plus.zs = rigid*max(p.minus.zs, VSMALL);
+        p.area = M.geometry.cornerArea[k]*M.stretch[k];
+        p.touching =
+            law_->bonded()
+         || (
+                (M.n[k] & p.n) > 0.1
+             && gap[i] <= (closed_[i] ? openingGap : closingGap)*depth[k]
+            );
+    }
+
+    law_->solve(problems_);
+
+    forAll(planes_, i)
+    {
+        const label k = planes_[i].corner;
+        const contactLaw::problem& p = problems_[i];
+        count(p, gap[i], width_[k], p.area, p.area);
+        const answerMessage told
+        (
+            answer(p, p.area, M.geometry.cornerArea[k], gap[i])
+        );
+        setState(side_, k, told, firstStage);
+        if (p.result.state != acousticRiemann::status::open)
+        {
+            addFlux(M, k, told, 1);
+        }
+    }
+}
+
+
+void Foam::obstacleInterface::report(Ostream& os) const
+{
+    os  << "Interface " << name() << ": " << side_.body->name() << ' '
+        << side_.patchName << " - obstacle " << surface_->type()
+        << (motion_.moves() ? ", moving" : "") << ", law " << law_->type()
+        << nl;
+}
+
+
+// ************************************************************************* //

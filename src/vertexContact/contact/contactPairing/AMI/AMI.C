@@ -1,0 +1,243 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "AMI.H"
+#include "contactSurface.H"
+#include "solidBody.H"
+#include "AMIPatchToPatchInterpolation.H"
+#include "addToRunTimeSelectionTable.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace contactPairings
+{
+    defineTypeNameAndDebug(AMI, 0);
+    addToRunTimeSelectionTable(contactPairing, AMI, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- The faces of a side that face a direction, as a surface for AMI
+struct surface
+{
+    //- Index of each face in the list of contact faces
+    labelList index;
+
+    faceList faces;
+    pointField points;
+
+    surface
+    (
+        const contactSide& side,
+        const contactFaceList& all,
+        const vector& direction
+    )
+    {
+        const medianDual& dual = side.body->dual();
+        const dualPatch& patch = dual.patches()[side.patchi];
+        const polyPatch& pp =
+            side.body->mesh().boundaryMesh()[patch.patchIndex];
+
+        DynamicList<label> facing(all.size());
+        forAll(all, f)
+        {
+            if ((all[f].n & direction) > 0.01) facing.append(f);
+        }
+        index.transfer(facing);
+
+        points = pp.localPoints();
+        faces.setSize(index.size());
+        forAll(index, f)
+        {
+            faces[f] = pp.localFaces()[patch.facePatchFace[index[f]]];
+        }
+    }
+};
+
+//- In the directions that are left out both sides get the same extent
+void levelThickness(surface& s, const medianDual& dual, const scalar extent)
+{
+    vector out(vector::one);
+    for (label i = 0; i < dual.nDim(); ++i) out[dual.directions()[i]] = 0;
+
+    for (direction i = 0; i < 3; ++i)
+    {
+        if (out[i] > 0 && s.points.size())
+        {
+            const scalar middle =
+                0.5
+               *(
+                    gMin(s.points.component(i)())
+                  + gMax(s.points.component(i)())
+                );
+            for (point& p : s.points)
+            {
+                p[i] = p[i] > middle ? 0.5*extent : -0.5*extent;
+            }
+        }
+    }
+}
+
+//- Smallest coordinate along a direction over all processors
+scalar nearestAlong(const surface& s, const vector& direction)
+{
+    scalar least = GREAT;
+    for (const face& f : s.faces)
+    {
+        for (const label p : f) least = min(least, s.points[p] & direction);
+    }
+    return returnReduce(least, minOp<scalar>());
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::contactPairings::AMI::AMI
+(
+    const dictionary& dict,
+    const contactSide& minus,
+    const contactSide& plus
+)
+:
+    contactPairing(minus, plus)
+{
+    checkKeywords(dict, wordList({"direction"}));
+    const vector direction(gapDirection(dict));
+
+    const medianDual& dual = minus.body->dual();
+    const contactFaceList minusFaces
+    (
+        contactSurface::faces(minus, minusCorners_, false)
+    );
+    contactFaceList plusFaces
+    (
+        contactSurface::faces(plus, plusCorners_, false)
+    );
+    surface source(minus, minusFaces, direction);
+    surface target(plus, plusFaces, -direction);
+
+    // Close the gap
+    const scalar gap =
+        nearestAlong(target, direction) + nearestAlong(source, -direction);
+    target.points -= gap*direction;
+    for (contactFace& f : plusFaces)
+    {
+        for (label j = 0; j < f.size; ++j) f.x[j] -= gap*direction;
+    }
+
+    scalar extent = 0;
+    for (const contactFace& f : minusFaces) extent = max(extent, f.width);
+    reduce(extent, maxOp<scalar>());
+    levelThickness(source, dual, extent);
+    levelThickness(target, plus.body->dual(), extent);
+
+    const primitivePatch sourcePatch
+    (
+        SubList<face>(source.faces, source.faces.size()), source.points
+    );
+    const primitivePatch targetPatch
+    (
+        SubList<face>(target.faces, target.faces.size()), target.points
+    );
+
+    // The template with its methods of v1912 became a class with a selector in
+    // v2006
+    #if defined(OPENFOAM) && (OPENFOAM >= 2006)
+    autoPtr<AMIInterpolation> ami
+    (
+        AMIInterpolation::New("faceAreaWeightAMI", false)
+    );
+    ami->calculate(sourcePatch, targetPatch, nullptr);
+    const label onlyProcessor =
+        Pstream::parRun() ? ami->singlePatchProc() : 0;
+    #else
+    autoPtr<AMIPatchToPatchInterpolation> ami
+    (
+        new AMIPatchToPatchInterpolation
+        (
+            sourcePatch, targetPatch, faceAreaIntersect::tmMesh, false,
+            AMIPatchToPatchInterpolation::imPartialFaceAreaWeight
+        )
+    );
+    const label onlyProcessor = ami->singlePatchProc();
+    #endif
+
+    // Faces of the plus side to where the minus side is
+    List<contactFace::message> messages(target.index.size());
+    forAll(messages, f)
+    {
+        messages[f] = plusFaces[target.index[f]].pack();
+    }
+    if (onlyProcessor == -1)
+    {
+        ami->tgtMap().distribute(messages);
+    }
+    contactFaceList opposite(messages.size());
+    forAll(messages, f)
+    {
+        opposite[f] = contactFace::unpack(messages[f]);
+    }
+
+    const vector out(contactSurface::outOfPlane(minus));
+    DynamicList<contactOverlap> overlaps(4*source.index.size());
+    scalar covered = 0, area = 0;
+    const labelListList& address = ami->srcAddress();
+    forAll(source.index, f)
+    {
+        const contactFace& a = minusFaces[source.index[f]];
+        const label before = overlaps.size();
+        for (const label slot : address[f])
+        {
+            const contactFace& b = opposite[slot];
+            const vector n(a.n - b.n);
+            if (mag(n) > 1)
+            {
+                contactOverlaps::append
+                (
+                    a, b, n/mag(n), out, dual.nDim(), overlaps
+                );
+            }
+        }
+        for (label o = before; o < overlaps.size(); ++o)
+        {
+            covered += overlaps[o].minus.area;
+        }
+        for (label j = 0; j < a.size; ++j) area += a.area[j];
+    }
+    reduce(covered, sumOp<scalar>());
+    reduce(area, sumOp<scalar>());
+
+    setOverlaps(overlaps);
+
+    Info<< "    AMI: "
+        << returnReduce(contactPairing::overlaps().size(), sumOp<label>())
+        << " overlaps cover " << 100*covered/max(area, VSMALL)
+        << " % of the first side, gap " << gap << " m along " << direction
+        << endl;
+
+    if (!active())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Keyword 'pairing': no face of " << minus.body->name() << ' '
+            << minus.patchName << " overlaps one of " << plus.body->name()
+            << ' ' << plus.patchName << " when they are moved together along "
+            << direction << exit(FatalIOError);
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,348 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "nearestFace.H"
+#include "contactSurface.H"
+#include "solidBody.H"
+#include "dictionaryCheck.H"
+#include "indexedOctree.H"
+#include "treeDataPoint.H"
+#include "PstreamBuffers.H"
+#include "ListListOps.H"
+#include "Time.H"
+#include "addToRunTimeSelectionTable.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace contactPairings
+{
+    defineTypeNameAndDebug(nearestFace, 0);
+    addToRunTimeSelectionTable(contactPairing, nearestFace, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+boundBox boxOf(const contactFace& f)
+{
+    boundBox b(boundBox::invertedBox);
+    for (label i = 0; i < f.size; ++i) b.add(f.x[i]);
+    return b;
+}
+
+boundBox grown(boundBox b, const scalar by)
+{
+    b.min() -= by*vector::one;
+    b.max() += by*vector::one;
+    return b;
+}
+
+//- Distance of two boxes, not more than the true one of what is in them
+scalar distance(const boundBox& a, const boundBox& b)
+{
+    scalar sum = 0;
+    for (direction i = 0; i < 3; ++i)
+    {
+        sum += sqr
+        (
+            max
+            (
+                scalar(0),
+                max(a.min()[i] - b.max()[i], b.min()[i] - a.max()[i])
+            )
+        );
+    }
+    return std::sqrt(sum);
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::contactFaceList Foam::contactPairings::nearestFace::oppositeFaces
+(
+    const boundBox& minusBox
+) const
+{
+    contactFaceList mine
+    (
+        contactSurface::faces(plus_, plusCorners_, true)
+    );
+    if (!Pstream::parRun())
+    {
+        return mine;
+    }
+
+    List<boundBox> boxes(Pstream::nProcs());
+    boxes[Pstream::myProcNo()] = minusBox;
+    Pstream::gatherList(boxes);
+    Pstream::scatterList(boxes);
+
+    PstreamBuffers buffers(Pstream::commsTypes::nonBlocking);
+    forAll(boxes, proc)
+    {
+        if (boxes[proc].min().x() > boxes[proc].max().x()) continue;
+
+        DynamicList<contactFace::message> some;
+        for (const contactFace& f : mine)
+        {
+            if (boxes[proc].overlaps(boxOf(f))) some.append(f.pack());
+        }
+        if (some.size())
+        {
+            UOPstream os(proc, buffers);
+            os << List<contactFace::message>(some);
+        }
+    }
+    labelList received;
+    buffers.finishedSends(received);
+
+    DynamicList<contactFace> all;
+    forAll(received, proc)
+    {
+        if (received[proc])
+        {
+            UIPstream is(proc, buffers);
+            const List<contactFace::message> messages(is);
+            for (const contactFace::message& m : messages)
+            {
+                all.append(contactFace::unpack(m));
+            }
+        }
+    }
+    return contactFaceList(all);
+}
+
+
+bool Foam::contactPairings::nearestFace::opposed
+(
+    const contactFace& a,
+    const contactFace& b,
+    vector& n
+) const
+{
+    if ((a.n & b.n) > -0.5)
+    {
+        return false;
+    }
+    n = a.n - b.n;
+    n /= mag(n);
+
+    const scalar depth = 0.25*(a.depth[0] + b.depth[0]);
+    const scalar width = 0.5*(a.width + b.width);
+    const point ca(a.centre()), cb(b.centre());
+    const scalar reach = a.radius() + b.radius();
+    if (magSqr(cb - ca) > sqr(reach + width))
+    {
+        return false;
+    }
+
+    // Smallest and largest distances of nodes along n
+    scalar top = -GREAT, bottom = GREAT;
+    for (label i = 0; i < a.size; ++i) top = max(top, a.x[i] & n);
+    for (label i = 0; i < b.size; ++i) bottom = min(bottom, b.x[i] & n);
+    if (bottom - top > width || ((cb - ca) & n) < -depth)
+    {
+        return false;
+    }
+
+    if (oneBody_)
+    {
+        // The other order of the same two
+        if (minus_ == plus_ && a.firstCorner >= b.firstCorner)
+        {
+            return false;
+        }
+
+        // Neighbours
+        point Ca(Zero), Cb(Zero);
+        scalar closest = GREAT, radius = 0;
+        for (label i = 0; i < a.size; ++i) Ca += a.X[i]/a.size;
+        for (label i = 0; i < b.size; ++i) Cb += b.X[i]/b.size;
+        for (label i = 0; i < a.size; ++i)
+        {
+            radius = max(radius, mag(a.X[i] - Ca));
+            for (label j = 0; j < b.size; ++j)
+            {
+                closest = min(closest, mag(a.X[i] - b.X[j]));
+            }
+        }
+        if (closest < 1e-6*width)
+        {
+            return false;
+        }
+        const bool faced = (a.N & b.N) < -0.5 && ((Cb - Ca) & a.N) > 0;
+        if (closest < 2*width && !faced)
+        {
+            return false;
+        }
+    }
+
+    return true;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::contactPairings::nearestFace::nearestFace
+(
+    const dictionary& dict,
+    const contactSide& minus,
+    const contactSide& plus
+)
+:
+    contactPairing(minus, plus),
+    oneBody_(minus.body == plus.body),
+    minusMotion_(minus),
+    plusMotion_(plus)
+{
+    checkKeywords(dict, wordList({"updateDistance"}));
+    updateDistance_ = dictionaryCheck::readNumberOrDefault
+    (
+        dict, "updateDistance", dimless, 0.1
+    );
+    dictionaryCheck::require
+    (
+        updateDistance_ > 0 && updateDistance_ <= 0.4,
+        dict, "updateDistance", updateDistance_, "positive and at most 0.4"
+    );
+
+    scalar least = GREAT, reach = 0;
+    for (const contactSide* side : {&minus_, &plus_})
+    {
+        const globalIndex& corners =
+            side == &minus_ ? minusCorners_ : plusCorners_;
+        for (const contactFace& f : contactSurface::faces(*side, corners, false))
+        {
+            least = min(least, f.width);
+            reach = max(reach, max(f.radius(), f.width));
+        }
+    }
+    leastWidth_ = returnReduce(least, minOp<scalar>());
+    reach_ = returnReduce(reach, maxOp<scalar>());
+
+    update(minus.body->mesh().time().value());
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::contactPairings::nearestFace::outdated(const scalar time)
+{
+    return minusMotion_.exceeded(time) || plusMotion_.exceeded(time);
+}
+
+
+void Foam::contactPairings::nearestFace::update(const scalar time)
+{
+    const boundBox minusBox(minusMotion_.box());
+    boundBox minusAll(minusBox), plusAll(plusMotion_.box());
+    reduce(minusAll.min(), minOp<vector>());
+    reduce(minusAll.max(), maxOp<vector>());
+    reduce(plusAll.min(), minOp<vector>());
+    reduce(plusAll.max(), maxOp<vector>());
+
+    // Faces grow with the body, by less than half
+    const scalar search = 2*reach_;
+    const scalar apart = oneBody_ ? 0 : distance(minusAll, plusAll);
+
+    DynamicList<contactOverlap> overlaps;
+    if (apart <= search)
+    {
+        const contactFaceList mine
+        (
+            contactSurface::faces(minus_, minusCorners_, true)
+        );
+        const contactFaceList others
+        (
+            oppositeFaces
+            (
+                mine.size() ? grown(minusBox, search)
+              : boundBox(boundBox::invertedBox)
+            )
+        );
+
+        if (mine.size() && others.size())
+        {
+            pointField centres(others.size());
+            scalar radius = 0;
+            forAll(others, f)
+            {
+                centres[f] = others[f].centre();
+                radius = max(radius, others[f].radius());
+            }
+            treeBoundBox box(centres);
+            const vector margin(vector::one*(1e-3*box.mag() + radius));
+            box.min() -= margin;
+            box.max() += margin;
+            const indexedOctree<treeDataPoint> tree
+            (
+                treeDataPoint(centres), box, 12, 10, 3.0
+            );
+
+            const vector out(contactSurface::outOfPlane(minus_));
+            const label nDim = minus_.body->dual().nDim();
+            for (const contactFace& a : mine)
+            {
+                labelList found
+                (
+                    tree.findBox
+                    (
+                        treeBoundBox
+                        (
+                            grown(boxOf(a), radius + 0.5*(a.width + reach_))
+                        )
+                    )
+                );
+                // The order of sums must not depend on the tree
+                Foam::sort(found);
+                for (const label i : found)
+                {
+                    vector n;
+                    if (opposed(a, others[i], n))
+                    {
+                        contactOverlaps::append
+                        (
+                            a, others[i], n, out, nDim, overlaps
+                        );
+                    }
+                }
+            }
+        }
+    }
+    setOverlaps(overlaps);
+
+    // Pairs at up to the least width are there; others are further away
+    const scalar allowed =
+        apart > search ? 0.5*(apart - search) + 0.4*leastWidth_
+      : active() ? updateDistance_*leastWidth_
+      : 0.4*leastWidth_;
+
+    for (surfaceMotion* motion : {&minusMotion_, &plusMotion_})
+    {
+        const contactSide& side =
+            motion == &minusMotion_ ? minus_ : plus_;
+        motion->start
+        (
+            time,
+            allowed,
+            returnReduce(motion->speed(), maxOp<scalar>())
+          + 0.1*side.body->material().cp()
+        );
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,86 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "surfaceMotion.H"
+#include "solidBody.H"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::surfaceMotion::surfaceMotion(const contactSide& side)
+:
+    side_(side)
+{
+    labelHashSet nodes(side.body->dual().patches()[side.patchi].cornerNode);
+    nodes_ = nodes.sortedToc();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::boundBox Foam::surfaceMotion::box() const
+{
+    boundBox bb(boundBox::invertedBox);
+    for (const label a : nodes_) bb.add(side_.body->position(a));
+    return bb;
+}
+
+
+Foam::scalar Foam::surfaceMotion::speed() const
+{
+    const label d = side_.body->dual().nDim();
+    const scalar* lm = side_.body->state().lm.cdata();
+    scalar largest = 0;
+    for (const label a : nodes_)
+    {
+        largest = max(largest, mag(side_.body->expand(lm + a*d)));
+    }
+    return largest/side_.body->material().rho();
+}
+
+
+void Foam::surfaceMotion::start
+(
+    const scalar time,
+    const scalar allowed,
+    const scalar speed
+)
+{
+    const label d = side_.body->dual().nDim();
+    const scalar* disp = side_.body->state().disp.cdata();
+    from_.setSize(nodes_.size()*d);
+    label k = 0;
+    for (const label a : nodes_)
+    {
+        for (label i = 0; i < d; ++i) from_[k++] = disp[a*d + i];
+    }
+    allowed_ = allowed;
+    nextTime_ = time + allowed/max(speed, VSMALL);
+}
+
+
+bool Foam::surfaceMotion::exceeded(const scalar time) const
+{
+    if (time < nextTime_)
+    {
+        return false;
+    }
+    const label d = side_.body->dual().nDim();
+    const scalar* disp = side_.body->state().disp.cdata();
+    label k = 0;
+    for (const label a : nodes_)
+    {
+        scalar moved = 0;
+        for (label i = 0; i < d; ++i)
+        {
+            moved += sqr(disp[a*d + i] - from_[k++]);
+        }
+        if (moved > sqr(allowed_)) return true;
+    }
+    return false;
+}
+
+
+// ************************************************************************* //
