@@ -193,7 +193,8 @@ void Foam::bodyInterface::remember()
 
     forAll(overlaps, o)
     {
-        closed_[o] = status[patch.cornerNode[overlaps[o].minus.corner[0]]] > 0.5;
+        const label corner = overlaps[o].minus.corner[0];
+        closed_[o] = status[patch.cornerNode[corner]] > 0.5;
     }
 }
 

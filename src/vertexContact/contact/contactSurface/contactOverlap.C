@@ -79,15 +79,26 @@ polygon clipped(polygon subject, const polygon& window)
     return subject;
 }
 
+//- Part of a corner in the plane across n, turned to the left, and its
+//  reference area
+struct facePart
+{
+    polygon shape;
+    label corner;
+    scalar area;
+};
+
 //- Nodes of a face in the plane across n: coordinates u, w (2D: u only)
 struct projection
 {
+    const contactFace& face;
     vector2D x[4];
     vector2D centre;
     label size;
 
     projection(const contactFace& f, const vector& u, const vector& w)
     :
+        face(f),
         centre(Zero),
         size(f.size)
     {
@@ -98,68 +109,148 @@ struct projection
         }
     }
 
-    //- Part of a corner, turned to the left
-    polygon corner(const label k) const
+    //- Parts of all corners of a face in 3D; returns their number
+    label parts(FixedList<facePart, 8>& all) const
     {
-        polygon g;
-        g.append(x[k]);
-        g.append(0.5*(x[k] + x[(k + 1) % size]));
-        g.append(centre);
-        g.append(0.5*(x[k] + x[(k + size - 1) % size]));
-        if (doubleArea(g) < 0)
+        const FixedList<point, 4>& X = face.X;
+        label n = 0;
+        scalar sum = 0;
+
+        const auto add = [&]
+        (
+            const label k,
+            const label a,
+            const label b,
+            const vector2D& middle,
+            const point& reference
+        )
         {
-            Swap(g.p[1], g.p[3]);
+            facePart& p = all[n++];
+            p.corner = k;
+            p.shape.size = 0;
+            p.shape.append(x[k]);
+            p.shape.append(0.5*(x[k] + x[a]));
+            p.shape.append(middle);
+            vector diagonal(0.5*(X[k] + X[a]) - X[k]);
+            if (b >= 0)
+            {
+                p.shape.append(0.5*(x[k] + x[b]));
+                diagonal = 0.5*(X[a] - X[b]);
+            }
+            p.area = 0.5*mag((reference - X[k]) ^ diagonal);
+            sum += p.area;
+            if (doubleArea(p.shape) < 0)
+            {
+                Swap(p.shape.p[1], p.shape.p[p.shape.size - 1]);
+            }
+        };
+
+        if (size == 3)
+        {
+            const point c((X[0] + X[1] + X[2])/3);
+            for (label k = 0; k < 3; ++k)
+            {
+                add(k, (k + 1) % 3, (k + 2) % 3, centre, c);
+            }
         }
-        return g;
+        else
+        {
+            const scalar s = face.crossing;
+            const vector2D middle((1 - s)*x[0] + s*x[2]);
+            const point c((1 - s)*X[0] + s*X[2]);
+            for (label k = 0; k < 4; ++k)
+            {
+                add(k, (k + 1) % 4, -1, middle, c);
+                add(k, (k + 3) % 4, -1, middle, c);
+            }
+        }
+
+        // Warped faces: the areas of the dual
+        scalar area = 0;
+        for (label k = 0; k < size; ++k) area += face.area[k];
+        for (label i = 0; i < n; ++i) all[i].area *= area/sum;
+        return n;
     }
 
-    //- Weights of the nodes at a point: the smallest that are exact for linear
-    //  fields
-    FixedList<scalar, 4> weights(const vector2D& at, const label nDim) const
+    //- Add barycentric coordinates in the triangle of nodes i, j, k
+    void addTriangle
+    (
+        const label i,
+        const label j,
+        const label k,
+        const vector2D& at,
+        const scalar factor,
+        FixedList<scalar, 4>& N
+    ) const
+    {
+        const scalar area = cross(x[j] - x[i], x[k] - x[i]);
+        const scalar perArea = factor/(mag(area) > VSMALL ? area : VSMALL);
+        N[i] += perArea*cross(x[j] - at, x[k] - at);
+        N[j] += perArea*cross(x[k] - at, x[i] - at);
+        N[k] += perArea*cross(x[i] - at, x[j] - at);
+    }
+
+    //- Add those in the triangle of the split along i, k that has the point
+    void addSplit
+    (
+        const label i,
+        const label j,
+        const label k,
+        const label l,
+        const vector2D& at,
+        const scalar factor,
+        FixedList<scalar, 4>& N
+    ) const
+    {
+        const vector2D along(x[k] - x[i]);
+        if (cross(along, x[l] - x[i])*cross(along, at - x[i]) > 0)
+        {
+            addTriangle(i, k, l, at, factor, N);
+        }
+        else
+        {
+            addTriangle(i, j, k, at, factor, N);
+        }
+    }
+
+    //- Weights of the nodes at a point
+    FixedList<scalar, 4> weights(const vector2D& at) const
     {
         FixedList<scalar, 4> N(scalar(0));
-        scalar uu = 0, uw = 0, ww = 0;
-        for (label i = 0; i < size; ++i)
+        switch (size)
         {
-            const vector2D r(x[i] - centre);
-            uu += r.x()*r.x();
-            uw += r.x()*r.y();
-            ww += r.y()*r.y();
-        }
-
-        const vector2D r(at - centre);
-        vector2D s(Zero);
-        if (nDim == 3)
-        {
-            const scalar det = uu*ww - uw*uw;
-            s =
-                vector2D(ww*r.x() - uw*r.y(), uu*r.y() - uw*r.x())
-               /max(det, VSMALL);
-        }
-        else if (nDim == 2)
-        {
-            s.x() = r.x()/max(uu, VSMALL);
-        }
-
-        for (label i = 0; i < size; ++i)
-        {
-            N[i] = scalar(1)/size + ((x[i] - centre) & s);
+            case 4:
+                addSplit(0, 1, 2, 3, at, face.split, N);
+                addSplit(1, 2, 3, 0, at, 1 - face.split, N);
+                break;
+            case 3:
+                addTriangle(0, 1, 2, at, 1, N);
+                break;
+            case 2:
+                N[1] = (at.x() - x[0].x())/(x[1].x() - x[0].x());
+                N[0] = 1 - N[1];
+                break;
+            default:
+                N[0] = 1;
         }
         return N;
     }
 };
 
+//- What a face has in an overlap at a point of a corner's part.
+//  \param share  of the part
+//  \param area   reference area of the part
 contactStencil stencil
 (
-    const contactFace& f,
     const projection& p,
     const label corner,
     const vector2D& at,
-    const label nDim,
-    const scalar share
+    const scalar share,
+    const scalar area
 )
 {
-    const FixedList<scalar, 4> N(p.weights(at, nDim));
+    const contactFace& f = p.face;
+    const FixedList<scalar, 4> N(p.weights(at)), c(f.fluxes(N));
 
     contactStencil s;
     s.size = f.size;
@@ -168,10 +259,10 @@ contactStencil stencil
         const label k = (corner + j) % f.size;
         s.corner[j] = f.firstCorner + k;
         s.value[j] = N[k];
-        s.flux[j] = (N[k] - f.smoothing)/(1 - f.size*f.smoothing);
+        s.flux[j] = c[k];
     }
-    s.share = share;
-    s.area = share*f.area[corner];
+    s.area = share*area;
+    s.share = s.area/f.area[corner];
     return s;
 }
 
@@ -233,52 +324,74 @@ void Foam::contactOverlaps::append
         const label i,
         const label j,
         const vector2D& at,
-        const scalar shareMinus,
-        const scalar sharePlus
+        const contactStencil& sideMinus,
+        const contactStencil& sidePlus
     )
     {
         contactOverlap o;
-        o.minus = stencil(minus, a, i, at, nDim, shareMinus);
-        o.plus = stencil(plus, b, j, at, nDim, sharePlus);
+        o.minus = sideMinus;
+        o.plus = sidePlus;
         o.depth = min(minus.depth[i], plus.depth[j]);
         o.width = 0.5*(minus.width + plus.width);
         overlaps.append(o);
     };
 
+    if (nDim == 3)
+    {
+        FixedList<facePart, 8> partsA, partsB;
+        const label nA = a.parts(partsA), nB = b.parts(partsB);
+        for (label i = 0; i < nA; ++i)
+        {
+            const facePart& pa = partsA[i];
+            const scalar sa = doubleArea(pa.shape);
+            for (label j = 0; j < nB; ++j)
+            {
+                const facePart& pb = partsB[j];
+                const scalar sb = doubleArea(pb.shape);
+                const polygon common(clipped(pa.shape, pb.shape));
+                const scalar s = common.size > 2 ? doubleArea(common) : 0;
+                if (s > sliver*min(sa, sb) && min(sa, sb) > 0)
+                {
+                    const vector2D at(centroid(common));
+                    add
+                    (
+                        pa.corner, pb.corner, at,
+                        stencil(a, pa.corner, at, s/sa, pa.area),
+                        stencil(b, pb.corner, at, s/sb, pb.area)
+                    );
+                }
+            }
+        }
+        return;
+    }
+
     for (label i = 0; i < minus.size; ++i)
     {
         for (label j = 0; j < plus.size; ++j)
         {
+            // Ends of the parts, the same point in 1D
+            const scalar a0 = a.x[i].x(), a1 = a.centre.x();
+            const scalar b0 = b.x[j].x(), b1 = b.centre.x();
+            const scalar from = max(min(a0, a1), min(b0, b1));
+            const scalar to = min(max(a0, a1), max(b0, b1));
+            const scalar la = mag(a1 - a0), lb = mag(b1 - b0);
+            const vector2D at(0.5*(from + to), 0);
             if (nDim == 1)
             {
-                add(i, j, vector2D::zero, 1, 1);
+                add
+                (
+                    i, j, at, stencil(a, i, at, 1, minus.area[i]),
+                    stencil(b, j, at, 1, plus.area[j])
+                );
             }
-            else if (nDim == 2)
+            else if (to - from > sliver*min(la, lb) && min(la, lb) > 0)
             {
-                const scalar a0 = a.x[i].x(), a1 = a.centre.x();
-                const scalar b0 = b.x[j].x(), b1 = b.centre.x();
-                const scalar from = max(min(a0, a1), min(b0, b1));
-                const scalar to = min(max(a0, a1), max(b0, b1));
-                const scalar la = mag(a1 - a0), lb = mag(b1 - b0);
-                if (to - from > sliver*min(la, lb) && min(la, lb) > 0)
-                {
-                    add
-                    (
-                        i, j, vector2D(0.5*(from + to), 0),
-                        (to - from)/la, (to - from)/lb
-                    );
-                }
-            }
-            else
-            {
-                const polygon pa(a.corner(i)), pb(b.corner(j));
-                const polygon common(clipped(pa, pb));
-                const scalar sa = doubleArea(pa), sb = doubleArea(pb);
-                const scalar s = common.size > 2 ? doubleArea(common) : 0;
-                if (s > sliver*min(sa, sb) && min(sa, sb) > 0)
-                {
-                    add(i, j, centroid(common), s/sa, s/sb);
-                }
+                const scalar sa = (to - from)/la, sb = (to - from)/lb;
+                add
+                (
+                    i, j, at, stencil(a, i, at, sa, minus.area[i]),
+                    stencil(b, j, at, sb, plus.area[j])
+                );
             }
         }
     }

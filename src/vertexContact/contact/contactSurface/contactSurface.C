@@ -6,6 +6,43 @@
 
 #include "contactSurface.H"
 #include "solidBody.H"
+#include "scalarMatrices.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- A_j (s^-1)_jp of the weights s of n corners with areas A
+FixedList<scalar, 16> spread
+(
+    const scalar* s,
+    const label n,
+    const FixedList<scalar, 4>& area
+)
+{
+    scalarSquareMatrix S(n);
+    for (label i = 0; i < n; ++i)
+    {
+        for (label j = 0; j < n; ++j) S(i, j) = s[i*n + j];
+    }
+
+    FixedList<scalar, 16> result(scalar(0));
+    for (label p = 0; p < n; ++p)
+    {
+        scalarSquareMatrix copy(S);
+        scalarField unit(n, Zero);
+        unit[p] = 1;
+        solve(copy, unit);
+        for (label j = 0; j < n; ++j) result[4*j + p] = area[j]*unit[j];
+    }
+    return result;
+}
+
+} // End anonymous namespace
+
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
@@ -15,7 +52,9 @@ Foam::contactFace::message Foam::contactFace::pack() const
     label k = 0;
     m[k++] = size;
     m[k++] = firstCorner;
-    m[k++] = smoothing;
+    m[k++] = split;
+    m[k++] = crossing;
+    for (const scalar c : spread) m[k++] = c;
     m[k++] = width;
     for (direction i = 0; i < 3; ++i) m[k++] = n[i];
     for (direction i = 0; i < 3; ++i) m[k++] = N[i];
@@ -36,7 +75,9 @@ Foam::contactFace Foam::contactFace::unpack(const message& m)
     label k = 0;
     f.size = label(m[k++]);
     f.firstCorner = label(m[k++]);
-    f.smoothing = m[k++];
+    f.split = m[k++];
+    f.crossing = m[k++];
+    for (scalar& c : f.spread) c = m[k++];
     f.width = m[k++];
     for (direction i = 0; i < 3; ++i) f.n[i] = m[k++];
     for (direction i = 0; i < 3; ++i) f.N[i] = m[k++];
@@ -112,7 +153,7 @@ Foam::contactFaceList Foam::contactSurface::faces
 
         const scalar* s = patch.weights.cdata() + patch.weightStart[facei];
         vector mean(Zero);
-        scalar diagonal = 0, area = 0;
+        scalar area = 0;
         for (label j = 0; j < f.size; ++j)
         {
             const label k = start + j;
@@ -125,10 +166,26 @@ Foam::contactFaceList Foam::contactSurface::faces
             f.area[j] = patch.cornerArea[k];
             f.depth[j] = depth[k];
             mean += body.expand(patch.cornerNormal.cdata() + k*d);
-            diagonal += s[j*f.size + j]/(f.size*patch.cornerArea[k]);
             area += patch.cornerArea[k];
         }
-        f.smoothing = f.size > 1 ? (1 - diagonal)/(f.size - 1) : 0;
+        f.spread = spread(s, f.size, f.area);
+        if (f.size == 4)
+        {
+            const scalar both = s[2] + s[7];
+            f.split = both > 0 ? s[2]/both : 0.5;
+
+            const vector d02(f.X[2] - f.X[0]), d13(f.X[3] - f.X[1]);
+            const vector n(d02 ^ d13);
+            f.crossing = min
+            (
+                max
+                (
+                    (((f.X[1] - f.X[0]) ^ d13) & n)/max(magSqr(n), VSMALL),
+                    scalar(0.02)
+                ),
+                scalar(0.98)
+            );
+        }
         f.N = mean/mag(mean);
         f.width = d == 3 ? std::sqrt(area) : d == 2 ? area : f.depth[0];
 

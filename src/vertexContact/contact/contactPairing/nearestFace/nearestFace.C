@@ -224,7 +224,11 @@ Foam::contactPairings::nearestFace::nearestFace
     {
         const globalIndex& corners =
             side == &minus_ ? minusCorners_ : plusCorners_;
-        for (const contactFace& f : contactSurface::faces(*side, corners, false))
+        const contactFaceList faces
+        (
+            contactSurface::faces(*side, corners, false)
+        );
+        for (const contactFace& f : faces)
         {
             least = min(least, f.width);
             reach = max(reach, max(f.radius(), f.width));
