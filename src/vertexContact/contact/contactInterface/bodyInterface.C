@@ -169,10 +169,12 @@ Foam::List<Foam::contactSide> Foam::bodyInterface::sides() const
 
 Foam::Pair<Foam::string> Foam::bodyInterface::sideNames() const
 {
+    // A surface with itself: the part that is met has another name
     return Pair<string>
     (
         minus_.body->name() + '.' + minus_.patchName,
         plus_.body->name() + '.' + plus_.patchName
+      + (minus_ == plus_ ? ".opposite" : "")
     );
 }
 

@@ -74,14 +74,18 @@ void levelThickness(surface& s, const medianDual& dual, const scalar extent)
 
     for (direction i = 0; i < 3; ++i)
     {
-        if (out[i] > 0 && s.points.size())
+        if (out[i] > 0)
         {
-            const scalar middle =
-                0.5
-               *(
-                    gMin(s.points.component(i)())
-                  + gMax(s.points.component(i)())
-                );
+            scalar least = GREAT, largest = -GREAT;
+            for (const point& p : s.points)
+            {
+                least = min(least, p[i]);
+                largest = max(largest, p[i]);
+            }
+            reduce(least, minOp<scalar>());
+            reduce(largest, maxOp<scalar>());
+
+            const scalar middle = 0.5*(least + largest);
             for (point& p : s.points)
             {
                 p[i] = p[i] > middle ? 0.5*extent : -0.5*extent;

@@ -140,7 +140,7 @@ bool Foam::contactPairings::nearestFace::opposed
     n = a.n - b.n;
     n /= mag(n);
 
-    const scalar depth = 0.25*(a.depth[0] + b.depth[0]);
+    const scalar depth = 0.5*(a.depth[0] + b.depth[0]);
     const scalar width = 0.5*(a.width + b.width);
     const point ca(a.centre()), cb(b.centre());
     const scalar reach = a.radius() + b.radius();

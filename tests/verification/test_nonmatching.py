@@ -1,0 +1,322 @@
+"""Contact of surfaces with different meshes: conservation, patch test, and
+pairings that follow the bodies."""
+
+import numpy as np
+import pytest
+
+from smallCases import (RUBBER, SIDES, Body, SmallCase, condition, coulomb,
+                        distorted, interface, largest)
+
+SYMMETRIC = dict.fromkeys(("left", "right", "back", "front"), "symmetryPlane")
+
+
+def angular(case):
+    """Total angular momentum in time."""
+    return np.array([sum(case.momentum[f"{body.name}:L{c}"]
+                         for body in case.bodies) for c in "xyz"]).T
+
+
+def rise(case):
+    """Largest rise of the total energy over any earlier value / initial."""
+    E = case.totalEnergy
+    return float(np.max(E - np.minimum.accumulate(E))/E[0])
+
+
+# Two blocks meet, the upper one shifted along the surface
+
+def blocks(low, high, shift=0.3, gap=0.01, speed=0.05):
+    aside = shift*(np.arange(3) < len(low))*(1, 0, 0.5)
+    return [
+        Body(cells=low, name="low", velocity=(0, speed, 0),
+             sides={"top": "contact"}),
+        Body(cells=high, name="high", start=aside + (0, 1 + gap, 0),
+             velocity=(0, -speed, 0), sides={"bottom": "contact"})]
+
+
+def between(**settings):
+    return {"contact": interface(("low", "top"), ("high", "bottom"),
+                                 **settings)}
+
+
+def collide(folder, bodies, ranks=1, endTime=1.5, **settings):
+    case = SmallCase(folder, bodies, endTime, interfaces=between(**settings),
+                     functions=("contactForces",))
+    return case.run() if ranks == 1 else case.runParallel(ranks)
+
+
+def momentumChange(case):
+    p = case.momentumOf()
+    return largest(p - p[0])/largest(case.momentumOf("low")[0])
+
+
+# Cells of both blocks: faces from 1:1 to 1:16
+MESHES = {"1:1": ((8, 8), (8, 8)), "1:1.4": ((8, 8), (11, 11)),
+          "1:4": ((4, 4), (16, 8)), "1:16": ((4, 4), (64, 16)),
+          "3D 1:1.5": ((4, 4, 4), (6, 6, 6)), "3D 1:4": ((2, 2, 2), (8, 6, 8))}
+
+
+@pytest.mark.parametrize("pairing", ("matching", "AMI", "nearestFace"))
+@pytest.mark.parametrize("ratio", MESHES)
+def test_momentum(tmp_path, figures, ratio, pairing):
+    """Linear momentum is kept whatever the meshes, and energy is not made."""
+    same = ratio == "1:1"
+    if pairing == "matching" and not same:
+        return
+    case = collide(tmp_path, blocks(*MESHES[ratio], shift=0 if same else 0.3),
+                   pairing=pairing)
+    contact = case.contact("contact")
+    with figures(f"blocks meet, faces {ratio}, {pairing}") as f:
+        f.atMost("change of momentum / initial", momentumChange(case), 1e-12)
+        f.atLeast("peak force / (area rho c v)", max(abs(
+            contact["low.top:Fy"]))/(0.05*(1 if same else 0.7)), 0.9)
+        f.atMost("energy at the end / initial",
+                 case.totalEnergy[-1]/case.totalEnergy[0], 1)
+        f.atMost("largest rise of energy / initial", rise(case), 1e-3)
+        f.atMost("balance residual / initial energy", largest(
+            case.energies["total:balance"])/case.totalEnergy[0], 2e-3)
+
+
+@pytest.mark.parametrize("pairing", ("AMI", "nearestFace"))
+@pytest.mark.parametrize("ratio", ("1:16", "3D 1:1.5"))
+@pytest.mark.parametrize("ranks", (2, 3, 4))
+def test_momentum_parallel(tmp_path, figures, ratio, pairing, ranks):
+    """The same on several ranks, with the fields of the serial run."""
+    cases = [collide(tmp_path/str(n), blocks(*MESHES[ratio]), n, endTime=0.6,
+                     pairing=pairing) for n in (1, ranks)]
+    with figures(f"blocks meet, faces {ratio}, {pairing}, {ranks} ranks") as f:
+        f.atMost("change of momentum / initial", momentumChange(cases[1]),
+                 1e-12)
+        for name in "pointU", "sigma":
+            for body in "low", "high":
+                serial, parallel = (
+                    case.at(name, region=body) for case in cases)
+                f.atMost(f"{name} of {body}: difference to serial / scale",
+                         largest(parallel - serial)/largest(serial), 1e-10)
+
+
+def test_momentum_two_way(tmp_path, figures):
+    """What the paper's mapping loses, and why it is not the default."""
+    change = [momentumChange(collide(
+        tmp_path/name, blocks(*MESHES["1:1.4"]), pairing="AMI",
+        transfer=name)) for name in ("conservative", "twoWay")]
+    with figures("blocks meet, faces 1:1.4, transfer") as f:
+        f.atMost("conservative: change of momentum", change[0], 1e-12)
+        f.within("twoWay: change of momentum", change[1], 0.03, 0.03)
+        f.atLeast("twoWay / conservative", change[1]/change[0], 1e6)
+
+
+def test_angular_momentum(tmp_path, figures):
+    """Forces act at the centroids of overlaps on both sides: angular momentum
+    changes by force times gap only, which falls with the mesh."""
+    changes = []
+    for n in (4, 6), (8, 11), (16, 22), (32, 44):
+        case = collide(tmp_path/str(n[0]), blocks(*((m, m) for m in n)),
+                       pairing="nearestFace")
+        L = angular(case)
+        contact = case.contact("contact")
+        changes.append(largest(L - L[0])/largest(contact["low.top:Iy"]))
+    with figures("blocks meet, shifted, nearestFace, meshes 4 8 16 32") as f:
+        f.falling("change of angular momentum / impulse [m]", changes)
+        f.atMost("on the finest", changes[-1], 2e-3)
+
+
+# Uniform pressure
+
+def compressed(folder, low, high, ranks=1, moved=None, scheme=None,
+               **settings):
+    """Two blocks between mirrors, compressed by a tenth, under the pressure
+    that holds them. Returns the largest error of the stress and velocity."""
+    stretch = 0.9
+    mu, kappa = 0.5/1.3, 1/1.2          # RUBBER
+    b = np.diag((1, stretch**2, 1))
+    sigma = (mu*stretch**(-5/3)*(b - np.trace(b)/3*np.eye(3))
+             + kappa*(stretch - 1)*np.eye(3))
+    pressure = -sigma[1, 1]
+    common = {"material": RUBBER, "scheme": scheme or {},
+              "displacement": lambda X: (stretch - 1)*X*(0, 1, 0)}
+    bodies = [
+        Body(cells=low, name="low", **common,
+             sides={**SYMMETRIC, "bottom": "symmetryPlane",
+                    "top": "contact"}),
+        Body(cells=high, name="high", start=(0, 1, 0), moved=moved, **common,
+             sides={**SYMMETRIC, "bottom": "contact",
+                    "top": condition("pressure", pressure=pressure)})]
+    case = collide(folder, bodies, ranks, 2, **settings)
+    return (max(largest(case.at("sigma", region=r)[:, 3] + pressure)
+                for r in ("low", "high"))/pressure,
+            max(largest(case.at("pointU", region=r))
+                for r in ("low", "high")))
+
+
+PATCHES = {
+    "matching": ((6, 6), (6, 6), "matching", {}),
+    "1:1.3": ((6, 6), (8, 8), None, {}),
+    "1:16": ((2, 2), (32, 8), None, {}),
+    "3D 1:1.3": ((4, 4, 4), (5, 5, 5), None, {}),
+    "3D 1:1.3, distorted": ((4, 4, 4), (5, 5, 5), None,
+                            {"moved": distorted(0.3, start=(0, 1, 0))}),
+    "3D 1:1.3, distorted, single split": (
+        (4, 4, 4), (5, 5, 5), None,
+        {"moved": distorted(0.3, start=(0, 1, 0)),
+         "scheme": {"cells": "simplicialSingle"}})}
+
+
+@pytest.mark.parametrize("name", PATCHES)
+def test_patch(tmp_path, figures, name):
+    """A uniform pressure crosses the interface, and nothing moves."""
+    low, high, only, more = PATCHES[name]
+    for pairing in (only,) if only else ("AMI", "nearestFace"):
+        for transfer in "conservative", "twoWay":
+            stress, velocity = compressed(
+                tmp_path/f"{pairing}-{transfer}", low, high, pairing=pairing,
+                transfer=transfer, **more)
+            with figures(f"uniform pressure, {name}, {pairing}, "
+                         f"{transfer}") as f:
+                # Mapped tractions have the weights of one point a corner
+                exact = transfer == "conservative" or not more
+                f.atMost("error of the stress / pressure", stress,
+                         1e-10 if exact else 0.05)
+                f.atMost("velocity / c", velocity, 1e-10 if exact else 0.01)
+
+
+def test_patch_native(tmp_path, figures):
+    """Native weights are exact on orthogonal meshes only."""
+    stress, velocity = compressed(
+        tmp_path, (4, 4, 4), (5, 5, 5), pairing="nearestFace",
+        scheme={"cells": "native"})
+    with figures("uniform pressure, 3D 1:1.3, native") as f:
+        f.atMost("error of the stress / pressure", stress, 1e-10)
+        f.atMost("velocity / c", velocity, 1e-10)
+
+
+# Contact nobody predicted
+
+def test_pairings_agree(tmp_path, figures):
+    """AMI and nearestFace where both apply."""
+    peaks = [max(abs(collide(
+        tmp_path/pairing, blocks((8, 8), (11, 11), shift=0),
+        pairing=pairing).contact("contact")["low.top:Fy"]))
+        for pairing in ("AMI", "nearestFace")]
+    with figures("blocks meet, AMI against nearestFace") as f:
+        f.within("ratio of the peak forces", peaks[1]/peaks[0], 1, 0.01)
+
+
+@pytest.mark.parametrize("ranks", (1, 3))
+def test_phantoms(tmp_path, figures, ranks):
+    """All outer surfaces of three blocks in each other's sight: one passes the
+    other at a hundredth of a cell, the third moves away. Nothing happens."""
+    names = "low", "passing", "parting"
+    everything = dict.fromkeys(SIDES, "contact")
+    starts = (0, 0, 0), (-0.4, 1.002, 0), (1.05, 0, 0)
+    speeds = (0, 0, 0), (0.4, 0, 0), (0.3, 0, 0)
+    bodies = [Body(cells=(5, 5), name=name, start=start, velocity=v,
+                   sides=everything)
+              for name, start, v in zip(names, starts, speeds)]
+    inPlane = "left", "right", "bottom", "top"
+    pairs = {f"{a}-{s}-{b}-{t}": interface((a, s), (b, t),
+                                           pairing="nearestFace")
+             for i, a in enumerate(names) for b in names[i + 1:]
+             for s in inPlane for t in inPlane}
+    selves = {f"{a}-{s}": interface((a, s), (a, s), pairing="nearestFace")
+              for a in names for s in inPlane}
+    case = SmallCase(tmp_path, bodies, 2, interfaces={**pairs, **selves},
+                     functions=("contactForces",))
+    case = case.run() if ranks == 1 else case.runParallel(ranks)
+    with figures(f"blocks that pass and part, {ranks} ranks") as f:
+        f.equal("largest area of contact", max(
+            case.contact(name)["area"].max() for name in (*pairs, *selves)),
+            0.0)
+        f.atMost("change of velocity", max(largest(
+            case.at("pointU", region=b.name) - b.velocity)
+            for b in bodies), 1e-12)
+
+
+def test_several_interfaces_on_a_patch(tmp_path, figures):
+    """Two small blocks fall on one side of a large one, symmetrically."""
+    base = Body(cells=(24, 6), name="base", size=(3, 1, 1),
+                sides={"top": "contact"})
+    small = [Body(cells=(5, 5), name=name, start=(x, 1.01, 0),
+                  size=(0.8, 0.8, 1), velocity=(0, -0.1, 0),
+                  sides={"bottom": "contact"})
+             for name, x in (("first", 0.3), ("second", 1.9))]
+    case = SmallCase(
+        tmp_path, [base, *small], 3, functions=("contactForces",),
+        interfaces={b.name: interface((b.name, "bottom"), ("base", "top"),
+                                      pairing="nearestFace") for b in small})
+    case.run()
+    p = case.momentumOf()
+    first, second = (case.contact(b.name) for b in small)
+    with figures("two blocks fall on one") as f:
+        f.atMost("change of momentum / initial",
+                 largest(p - p[0])/largest(p[0]), 1e-12)
+        f.atLeast("impulse / momentum",
+                  first["first.bottom:Iy"][-1]/0.064, 1)
+        f.atMost("difference of the impulses", abs(
+            first["first.bottom:Iy"][-1]/second["second.bottom:Iy"][-1] - 1),
+            1e-9)
+
+
+def bent(X):
+    """A block as a ring that is open by 20 degrees, x along the radius."""
+    r, a = 0.9 + 0.2*X[:, 0], np.radians(-80 + 340*X[:, 1])
+    return np.stack((r*np.cos(a), r*np.sin(a), X[:, 2]), axis=1)
+
+
+@pytest.mark.parametrize("ranks", (1, 3))
+def test_self_contact(tmp_path, figures, ranks):
+    """An open ring closes: its ends meet, then its inner side meets itself."""
+    body = Body(cells=(4, 64), moved=bent, sides={
+        "bottom": "contact", "top": "contact", "left": "contact"},
+        velocity=lambda X: -0.25*X*(1, 0, 0))
+    case = SmallCase(
+        tmp_path, body, 5, functions=("contactForces",), interfaces={
+            "ends": interface(("body", "bottom"), ("body", "top"),
+                              pairing="nearestFace"),
+            "inside": interface(("body", "left"), ("body", "left"),
+                                pairing="nearestFace")})
+    case = case.run() if ranks == 1 else case.runParallel(ranks)
+    p, L = case.momentumOf(), angular(case)
+    with figures(f"open ring closes, {ranks} ranks") as f:
+        f.atMost("change of momentum / (mass c)", largest(p - p[0]), 1e-12)
+        f.atMost("change of angular momentum", largest(L - L[0]), 1e-4)
+        for name in "ends", "inside":
+            f.atLeast(f"{name}: contact lasts",
+                      np.count_nonzero(case.contact(name)["area"]), 10)
+        f.atMost("largest rise of energy / initial", rise(case), 1e-6)
+
+
+# Friction
+
+def test_sliding(tmp_path, figures):
+    """A block slides over a longer one with another mesh with the deceleration
+    k g, and stops."""
+    k, g, speed, h = 0.3, 0.02, 0.06, 0.5
+    def settle(X):
+        y = X[:, 1:2]
+        return -g*(2*h*y - y**2/2)*(0, 1, 0)
+    def settleBase(X):
+        return -g*h*X[:, 1:2]*(0, 1, 0)
+    elastic = {"type": "linearElastic", "rho": 1, "E": 1, "nu": 0}
+    base = Body(cells=(30, 4), name="base", start=(-0.5, 0, 0),
+                size=(3.5, h, 1), material=elastic,
+                sides={"bottom": condition("fixedVelocity",
+                                           velocity=(0, 0, 0)),
+                       "top": "contact"})
+    block = Body(cells=(20, 4), name="block", start=(0, h, 0),
+                 size=(2, h, 1), material=elastic, velocity=(speed, 0, 0),
+                 sides={"bottom": "contact"})
+    case = SmallCase(
+        tmp_path, [block, base], 9, gravity=(0, -g, 0),
+        functions=("contactForces",), interfaces={"contact": interface(
+            ("block", "bottom"), ("base", "top"), coulomb(k),
+            pairing="nearestFace")}).run()
+    t, p = case.momentum["Time"], case.momentumOf("block")[:, 0]
+    some = (t > 2) & (t < 8)
+    work = case.energies["total:contactWork"]
+    start = 0.5*speed**2
+    with figures("block slides over another mesh, k = 0.3") as f:
+        f.within("mean deceleration / (k g)",
+                 -np.polyfit(t[some], p[some], 1)[0]/(k*g), 1, 0.02)
+        f.atMost("largest gain by contact in a step / initial kinetic energy",
+                 np.diff(work).max()/start, 1e-4)
+        f.atMost("work of contact / initial kinetic energy", work[-1]/start, 0)
