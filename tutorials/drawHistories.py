@@ -60,14 +60,15 @@ def _finish(figure, axes, file, timeLabel, lines):
     plt.close(figure)
 
 
-def plotHistories(file, runs, points, quantities, timeUnit, contact):
+def plotHistories(file, runs, points, quantities, timeUnit, contact,
+                  component=0):
     """Quantities (rows) at points (columns), over time, of all runs.
 
     points      {function object: title}
-    quantities  ((field, label, unit), ...), of vectors and tensors the first
-                component
+    quantities  ((field, label, unit), ...)
     timeUnit    ("ms", 1e-3)
     contact     time of the impact, by the gap and the velocities
+    component   of vectors and tensors
     """
     unit, value = timeUnit
     figure, axes = plt.subplots(
@@ -79,8 +80,8 @@ def plotHistories(file, runs, points, quantities, timeUnit, contact):
                        linestyle=":", label="first contact, expected")
             for run in runs:
                 t, values = readResults.probe(run.folder, point, field)
-                ax.plot(t/value, values[:, 0]/fieldUnit, label=run.label,
-                        **run.style)
+                ax.plot(t/value, values[:, component]/fieldUnit,
+                        label=run.label, **run.style)
             if ax in axes[:, 0]:
                 ax.set_ylabel(label)
         column[0].set_title(title)
@@ -88,11 +89,13 @@ def plotHistories(file, runs, points, quantities, timeUnit, contact):
             axes[0, 0].get_legend_handles_labels())
 
 
-def plotEnergies(file, runs, bodies, timeUnit):
+def plotEnergies(file, runs, bodies, timeUnit,
+                 label="energy per thickness [J/m]"):
     """Total energy and accumulated numerical dissipation of all runs, and the
     energies of each body in the last one.
 
     bodies      {region: title}
+    label       of the latter
     """
     unit, value = timeUnit
     figure, axes = plt.subplots(
@@ -112,13 +115,48 @@ def plotEnergies(file, runs, bodies, timeUnit):
 
     for ax, (body, title) in zip(axes[1], bodies.items()):
         kinetic, strain = data[f"{body}:kinetic"], data[f"{body}:strain"]
-        for label, energy, style in (("total", kinetic + strain, "-"),
-                                     ("kinetic", kinetic, "--"),
-                                     ("strain", strain, "-.")):
-            ax.plot(t, energy, style, color="C0", label=label)
+        for name, energy, style in (("total", kinetic + strain, "-"),
+                                    ("kinetic", kinetic, "--"),
+                                    ("strain", strain, "-.")):
+            ax.plot(t, energy, style, color="C0", label=name)
         ax.set_title(f"{title}, {runs[-1].label}")
-        ax.set_ylabel("energy per thickness [J/m]")
+        ax.set_ylabel(label)
     axes[1, 0].margins(y=0.12)
     axes[1, 0].legend(loc="upper right", ncols=3)
     _finish(figure, axes, file, f"time [{unit}]",
             axes[0, 0].get_legend_handles_labels())
+
+
+def plotEnergy(file, runs, timeUnit, energyUnit):
+    """Of one body, or of all together. Left: energies of the last run. Right:
+    total energy and accumulated numerical dissipation of all.
+
+    energyUnit  ("MJ", 1e6)
+    """
+    unit, value = timeUnit
+    figure, (left, right) = plt.subplots(
+        1, 2, figsize=(11, 4.5), sharex=True, layout="constrained")
+    for run in runs:
+        data = readResults.table(run.folder, "solidEnergies", "energies.dat")
+        t = data["Time"]/value
+        kinetic, strain = data["total:kinetic"], data["total:strain"]
+        dissipation = data["total:numericalDissipation"]
+        total = kinetic + strain
+        right.plot(t, 100*total/total[0], label=run.label, **run.style)
+        right.plot(t, 100*dissipation/total[0], **{**run.style,
+                                                   "linestyle": ":"})
+    for name, energy, style in (
+            ("total", total, "-"), ("kinetic", kinetic, "--"),
+            ("strain", strain, "-."), ("numerical dissipation", dissipation,
+                                       ":")):
+        left.plot(t, energy/energyUnit[1], style, color="C0", label=name)
+    left.set(title=runs[-1].label, ylabel=f"energy [{energyUnit[0]}]")
+    right.set(title="total energy, and (dotted) numerical dissipation",
+              ylabel="energy / initial energy [%]")
+    for ax in left, right:
+        ax.grid(color="0.9")
+        ax.margins(x=0)
+        ax.set_xlabel(f"time [{unit}]")
+        ax.legend(loc="center right")
+    figure.savefig(file, dpi=DPI)
+    plt.close(figure)

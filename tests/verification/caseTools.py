@@ -42,7 +42,7 @@ def copyTutorials(destination):
     """A clean copy of tutorials/, without results."""
     made = shutil.ignore_patterns(
         "0", "[1-9]*", "0.[0-9]*", "processor[0-9]*", "postProcessing",
-        "polyMesh", "log.*", "*.png", "caseParameters", "__pycache__",
+        "polyMesh", "log.*", "*.msh", "*.png", "caseParameters", "__pycache__",
         "results")
     return Path(shutil.copytree(root/"tutorials", destination, ignore=made))
 
@@ -180,6 +180,7 @@ class Tutorial:
     scheme: tuple = ()          # ((keyword, value), ...) of vertexCentred
     material: tuple = ()        # of mechanicalProperties
     control: tuple = ()         # of controlDict
+    options: tuple = ()         # ((variable, value), ...) of its Allrun
     ranks: int = 1
 
     def run(self, folder):
@@ -192,7 +193,7 @@ class Tutorial:
                      dict(self.material))
         case.set("system/controlDict", dict(self.control))
         checked(["./Allrun"], case.path, MESH=self.mesh, NP=str(self.ranks),
-                PLOT="0")
+                PLOT="0", **dict(self.options))
         return case
 
 

@@ -86,13 +86,15 @@ def _image(frame, field, limits, window, width):
     return pixels
 
 
-def draw(file, frames, field, timeUnit, columns, width=10, percentile=2):
+def draw(file, frames, field, timeUnit, columns, width=10, percentile=2,
+         wall=None):
     """Panels of the bodies at each time, in so many columns, with one scale
     of colours.
 
     timeUnit    ("ms", 1e-3)
     width       of the figure [inch]
     percentile  of the values on either side that may be beyond the colours
+    wall        where in x a plane is that is seen edge-on
     """
     unit, value = timeUnit
     limits = drawFields.range_(frames, field, percentile)
@@ -111,6 +113,8 @@ def draw(file, frames, field, timeUnit, columns, width=10, percentile=2):
         ax.axis("off")
         ax.imshow(_image(frame, field, limits, window, round(PIXELS*DPI*w)),
                   extent=window, aspect="auto", interpolation="antialiased")
+        if wall is not None:
+            ax.axvline(wall, color="black", linewidth=1.5)
         ax.set_title(f"{frame.time/value:g} {unit}", fontsize="medium", pad=2)
     barHeight = min(0.85*height, 5)
     figure.colorbar(

@@ -1,0 +1,119 @@
+#!/usr/bin/env python3
+"""Pictures of this case: force.png, traction.png, deformation.png and
+energies.png.
+
+    plot.py [CASE]
+"""
+
+import os
+import sys
+from pathlib import Path
+
+# tutorials/, also for a case that was copied elsewhere
+sys.path += [str(Path(__file__).resolve().parent.parent),
+             os.environ.get("VERTEXCONTACT_DIR", ".") + "/tutorials"]
+
+import numpy as np
+import pyvista
+
+import drawFields
+import drawHistories
+import drawSolids
+import hertzSolution
+import readResults
+from drawHistories import plt
+
+MESHES = {0.28: "Mesh I", 0.21: "Mesh II", 0.14: "Mesh III", 0.105: "Mesh IV"}
+TIMES = 0.001, 0.0025, 0.004, 0.0055
+LARGEST_FORCE = 0.0025      # the written time that is next to it
+TIME_UNIT = "ms", 1e-3
+PRESSURE = drawFields.Field("pressure", "pressure [kPa]", 1e3)
+# The mirrors are in front, z points upwards
+VIEW = drawSolids.turn(0, -70) @ drawSolids.turn(2, 45)
+
+
+def settings(case):
+    """Scene, and length of the edges at the contact [mm], negative so that
+    finer meshes come later."""
+    return (str(drawHistories.parameter(case, "scene", "plane")),
+            -float(drawHistories.parameter(case, "size", 0.21)))
+
+
+def label(case):
+    scene, size = settings(case)
+    mesh = MESHES.get(-size, f"edges of {-size:g} mm")
+    return f"{mesh}, {scene}"
+
+
+def force(case):
+    """Times, and the force on the whole sphere 1: the model is a quarter."""
+    data = readResults.table(case, "contactForces", "contact.dat")
+    return data["Time"], 4*np.abs(data["sphere1.surface:Fz"])
+
+
+def tractions(case, time):
+    """Distances from the axis, and normal tractions there, of the nodes of
+    sphere 1."""
+    reader = pyvista.OpenFOAMReader(str(case/"system"/"controlDict"))
+    reader.disable_all_patch_arrays()
+    reader.enable_patch_array("sphere1/surface")
+    reader.disable_all_point_arrays()
+    for name in "pointD", "contactTraction":
+        reader.enable_point_array(name)
+    reader.set_active_time_value(time)
+    surface = reader.read()["sphere1"]["boundary"]["surface"]
+    x = surface.points + surface["pointD"]
+    return (np.hypot(x[:, 0], x[:, 1]),
+            np.abs(surface["contactTraction"][:, 2]))
+
+
+def plotForce(file, runs):
+    unit, value = TIME_UNIT
+    figure, ax = plt.subplots(figsize=(8, 5), layout="constrained")
+    times, values = hertzSolution.history()
+    ax.plot(times/value, values, color="black", label="Hertz")
+    for run in runs:
+        times, values = force(run.folder)
+        ax.plot(times/value, values, label=run.label, **run.style)
+    ax.set(xlabel=f"time [{unit}]", ylabel="force on the sphere [N]")
+    ax.grid(color="0.9")
+    ax.margins(x=0)
+    ax.legend()
+    figure.savefig(file, dpi=drawHistories.DPI)
+    plt.close(figure)
+
+
+def plotTraction(file, case):
+    """Against the theory at the force of that time."""
+    figure, ax = plt.subplots(figsize=(8, 5), layout="constrained")
+    F = np.interp(LARGEST_FORCE, *force(case))
+    a = hertzSolution.contactRadius(F)
+    r = np.linspace(0, 1.5*a, 301)
+    ax.plot(r/1e-3, hertzSolution.pressure(r, F)/1e3, color="black",
+            label=f"Hertz, {F:.3g} N")
+    r, t = tractions(case, LARGEST_FORCE)
+    near = r < 1.5*a
+    ax.plot(r[near]/1e-3, t[near]/1e3, "o", markersize=4, label=label(case))
+    ax.set(xlabel="distance from the axis [mm]",
+           ylabel="contact traction [kPa]",
+           title=f"{LARGEST_FORCE/1e-3:g} ms")
+    ax.grid(color="0.9")
+    ax.legend()
+    figure.savefig(file, dpi=drawHistories.DPI)
+    plt.close(figure)
+
+
+def main(case="."):
+    case = Path(case)
+    runs = drawHistories.findRuns(case, settings, label)
+    plotForce(case/"force.png", runs)
+    plotTraction(case/"traction.png", case)
+    drawSolids.draw(
+        case/"deformation.png", drawSolids.read(case, TIMES, PRESSURE, VIEW),
+        PRESSURE, TIME_UNIT, columns=len(TIMES), width=12)
+    drawHistories.plotEnergy(
+        case/"energies.png", runs, TIME_UNIT, ("µJ, of the quarter", 1e-6))
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

@@ -1,0 +1,3 @@
+// Above the plane z = 0
+up = 1;
+Include "../sphere.geo";
