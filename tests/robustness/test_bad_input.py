@@ -22,6 +22,12 @@ def good(tmp_path_factory):
     return case
 
 
+material = "constant/bar1/mechanicalProperties"
+schemes = "system/bar1/fvSchemes"
+contact = "constant/contactProperties"
+velocity = "0/bar1/pointU"
+
+
 def edit(file, entries):
     return lambda case: case.set(file, entries)
 
@@ -46,16 +52,22 @@ def force(contents):
     return action
 
 
+PLANE = ("type plane; planeType pointAndNormal; "
+         "pointAndNormalDict { point (30 0 0); normal (-1 0 0); }")
+
+
+def obstacle(shape, more="", side="(bar2 left)"):
+    """An obstacle beside the interface of the bars."""
+    shape = "" if shape is None else f"obstacle {{ {shape} }}"
+    return replace(contact, r"interfaces\s*\{",
+                   f"interfaces {{ wall {{ side {side}; {shape} {more} }}")
+
+
 def invertCell(case):
     """Put the second node of bar 2 behind its first."""
     case.replace("constant/bar2/polyMesh/points",
                  r"\(11\.26 ", "(9.9 ")
 
-
-material = "constant/bar1/mechanicalProperties"
-schemes = "system/bar1/fvSchemes"
-contact = "constant/contactProperties"
-velocity = "0/bar1/pointU"
 
 # What is wrong, how it gets wrong, and what the message must name
 CASES = {
@@ -137,6 +149,26 @@ CASES = {
     "the same side twice": (
         replace(contact, r"\(bar2 left\)", "(bar1 right)"),
         ("contactProperties", "bar1", "right")),
+    "unknown transfer": (
+        edit(contact, {"interfaces/bars/transfer": "twoway"}),
+        ("contactProperties", "twoway", "twoWay")),
+    "keyword of another pairing": (
+        edit(contact, {"interfaces/bars/updateDistance": 0.1}),
+        ("contactProperties", "updateDistance")),
+    "update distance too long": (
+        edit(contact, {"interfaces/bars/pairing": "nearestFace",
+                       "interfaces/bars/updateDistance": 3}),
+        ("contactProperties", "updateDistance", "3", "0.4")),
+    "unknown obstacle": (
+        obstacle("type plan;"), ("contactProperties", "plan", "plane")),
+    "obstacle without a shape": (
+        obstacle("radius 3;"), ("contactProperties", "obstacle", "type")),
+    "keyword beside an obstacle": (
+        obstacle(PLANE, "pairing AMI;"), ("contactProperties", "pairing")),
+    "unknown side of an obstacle": (
+        obstacle(PLANE, side="(bar1 rihgt)"), ("contactProperties", "rihgt")),
+    "side without an obstacle": (
+        obstacle(None), ("contactProperties", "obstacle")),
     "dimensions of the velocity": (
         replace(velocity, r"\[0 1 -1 0 0 0 0\]", "[0 1 0 0 0 0 0]"),
         ("pointU", "dimensions")),

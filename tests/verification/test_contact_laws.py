@@ -226,6 +226,68 @@ def test_slope(tmp_path, figures, tilt):
                      slope/(HEIGHT*LENGTH)/((tilt - k)*WEIGHT), 1, 0.03)
 
 
+def test_stick_slip_wave(tmp_path, figures):
+    """A plane shear wave meets the interface of two equal layers under the
+    pressure p. Exact: it passes as it is while its traction rho c_s v is below
+    k p, then the surfaces slip and k p passes, and they stick again as it
+    falls: the wave that passes is the incident one cut off at k p/(rho c_s).
+    The layers are so wide that their free ends are not felt in the middle."""
+    k, V, width, centre, pressure = 0.3, 0.01, 0.08, -0.4, 0.01
+    cs = np.sqrt(0.5)
+    cut = k*pressure/cs                 # 0.42 V
+
+    def wave(X):
+        return np.exp(-((X[:, 1:2] - centre)/width)**2)
+
+    def displacement(X):
+        # The pressure, and a wave that moves up: D = f(y - c_s t)
+        behind = np.array([[1 - erf((y - centre)/width)] for y in X[:, 1]])
+        return (-pressure*X*(0, 1, 0)
+                + V/cs*np.sqrt(np.pi)*width/2*behind*(1, 0, 0))
+
+    load = condition("traction", traction=(0, -pressure, 0))
+    rise = condition("traction", traction=(0, pressure, 0))
+    layers = [Body(cells=(24, 80), name=name, start=(-1.8, y, 0),
+                   size=(3.6, 0.8, 1), material=ELASTIC,
+                   displacement=displacement,
+                   velocity=lambda X: V*wave(X)*(1, 0, 0), sides=sides)
+              for name, y, sides in (
+                  ("lower", -0.8, {"bottom": rise, "top": "contact"}),
+                  ("upper", 0.0, {"bottom": "contact", "top": load}))]
+    case = SmallCase(
+        tmp_path, layers, endTime=1.15, functions=("contactForces",),
+        interfaces={"contact": interface(
+            ("lower", "top"), ("upper", "bottom"), coulomb(k))},
+        probes={"above": ("upper", (0, 0.2, 0)),
+                "below": ("lower", (0, -0.2, 0))}).run()
+    t, v = case.probe("above", "pointU")
+    incident = V*np.exp(-((0.2 - cs*t - centre)/width)**2)
+    passed = np.minimum(incident, cut)
+    tb, vb = case.probe("below", "pointU")
+    arriving = V*np.exp(-((-0.2 - cs*tb - centre)/width)**2)
+    back = V*np.exp(-((0.2 - cs*tb - centre)/width)**2)
+    back -= np.minimum(back, cut)
+    contact = case.contact("contact")
+    # In the middle third, of 24 faces
+    slips = contact["slip"] > 8
+    start = contact["Time"][slips]
+    with figures("shear wave at an interface with friction") as f:
+        f.atMost("v above, relative L1 error",
+                 np.trapezoid(abs(v[:, 0] - passed), t)
+                 / np.trapezoid(passed, t), 0.05)
+        f.atMost("v below, relative L1 error",
+                 np.trapezoid(abs(vb[:, 0] - arriving - back), tb)
+                 / np.trapezoid(arriving + back, tb), 0.05)
+        f.within("largest v above / (k p/(rho c_s))",
+                 v[:, 0].max()/cut, 1, 0.06)
+        # exp(-s^2) = cut/V
+        half = width*np.sqrt(-np.log(cut/V))/cs
+        f.within("slip begins [s]", start[0], -centre/cs - half, 0.03)
+        f.within("slip ends [s]", start[-1], -centre/cs + half, 0.05)
+        f.atMost("work of contact / energy of the wave",
+                 case.energies["total:contactWork"][-1], 0)
+
+
 def test_rest_under_gravity(tmp_path, figures):
     """Gravity set on at once: the block bounces in itself, does not sink in,
     and the mean force is its weight."""

