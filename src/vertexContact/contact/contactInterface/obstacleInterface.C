@@ -131,6 +131,17 @@ Foam::Pair<Foam::string> Foam::obstacleInterface::sideNames() const
 }
 
 
+Foam::labelList Foam::obstacleInterface::nearCorners() const
+{
+    labelList corners(planes_.size());
+    forAll(planes_, i)
+    {
+        corners[i] = planes_[i].corner;
+    }
+    return corners;
+}
+
+
 bool Foam::obstacleInterface::outdated(const scalar time)
 {
     return
