@@ -1,0 +1,577 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "checkInterfaces.H"
+#include "bodyInterface.H"
+#include "solidBody.H"
+#include "boundBox.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- State of a corner as it is sent: 1, x, n, linear field, stretch
+typedef FixedList<scalar, 11> cornerState;
+
+//- What a corner gets: share, force of a unit pressure, area with that, share
+//  that is judged
+typedef FixedList<scalar, 6> cornerSum;
+
+vector at(const cornerState& m, const label i)
+{
+    return vector(m[i], m[i + 1], m[i + 2]);
+}
+
+struct addSums
+{
+    void operator()(cornerSum& a, const cornerSum& b) const
+    {
+        forAll(a, i) a[i] += b[i];
+    }
+};
+
+//- No corner is turned
+struct unchanged
+{
+    template<class T>
+    const T& operator()(const T& t) const { return t; }
+};
+
+template<class T>
+T total(const T& mine)
+{
+    return returnReduce(mine, sumOp<T>());
+}
+
+scalar least(const scalar mine)
+{
+    return returnReduce(mine, minOp<scalar>());
+}
+
+scalar greatest(const scalar mine)
+{
+    return returnReduce(mine, maxOp<scalar>());
+}
+
+//- Largest error of a sum of weights from 1
+scalar sumError(const FixedList<scalar, 4>& weights, const label size)
+{
+    scalar sum = 0;
+    for (label j = 0; j < size; ++j) sum += weights[j];
+    return mag(sum - 1);
+}
+
+
+//- One side over all processors
+struct sideSums
+{
+    const contactSide side;
+    const cornerStates& corners;
+
+    label nFaces = 0;
+    label nCorners = 0;
+    label nWithout = 0;
+    label nPartly = 0;
+    scalar area = 0;
+    scalar covered = 0;
+    scalar leastSum = GREAT;
+    scalar greatestSum = 0;
+    scalar judgedSum = 0;
+
+    //- Of the overlaps: current area, its first moment about the middle
+    scalar currentArea = 0;
+    vector areaMoment = vector::zero;
+
+    //- Errors of the sums of weights
+    scalar valueError = 0;
+    scalar fluxError = 0;
+
+    //- Of a unit pressure: force and moment on the nodes; least and greatest
+    //  traction of corners of covered faces
+    vector force = vector::zero;
+    vector moment = vector::zero;
+    scalar leastTraction = GREAT;
+    scalar greatestTraction = -GREAT;
+
+    explicit sideSums(const contactSide& s)
+    :
+        side(s),
+        corners(s.body->corners(s.patchi))
+    {}
+
+    point position(const label corner) const
+    {
+        return side.body->position(corners.geometry.cornerNode[corner]);
+    }
+
+    void addWeights(const contactStencil& s)
+    {
+        covered += s.area;
+        valueError = max(valueError, sumError(s.value, s.size));
+        fluxError = max(fluxError, sumError(s.flux, s.size));
+    }
+
+    //- Take what the corners of this rank got; complete all sums
+    void finish(const List<cornerSum>& got, const point& middle)
+    {
+        const dualPatch& patch = corners.geometry;
+        nFaces = total(patch.nFaces());
+        nCorners = total(patch.nCorners());
+        area = total(sum(patch.cornerArea));
+
+        for (label f = 0; f < patch.nFaces(); ++f)
+        {
+            const label start = patch.faceStart[f];
+            const label n = patch.faceStart[f + 1] - start;
+            const scalar* s = patch.weights.cdata() + patch.weightStart[f];
+
+            bool whole = true;
+            for (label k = start; k < start + n; ++k)
+            {
+                const scalar share = got[k][0];
+                nWithout += (share < 1e-6);
+                nPartly += (share >= 1e-6 && share < 1 - 1e-6);
+                whole = whole && share >= 1 - 1e-6;
+                if (share >= 1e-6) leastSum = min(leastSum, share);
+                greatestSum = max(greatestSum, share);
+                judgedSum = max(judgedSum, got[k][5]);
+            }
+            for (label j = 0; j < n; ++j)
+            {
+                const label k = start + j;
+                const vector F(got[k][1], got[k][2], got[k][3]);
+                for (label a = 0; a < n; ++a)
+                {
+                    const vector Fa(s[a*n + j]/patch.cornerArea[k]*F);
+                    force += Fa;
+                    moment += (position(start + a) - middle) ^ Fa;
+                }
+                if (whole)
+                {
+                    const scalar t =
+                        got[k][4]/(patch.cornerArea[k]*corners.stretch[k]);
+                    leastTraction = min(leastTraction, t);
+                    greatestTraction = max(greatestTraction, t);
+                }
+            }
+        }
+
+        nWithout = total(nWithout);
+        nPartly = total(nPartly);
+        covered = total(covered);
+        leastSum = least(leastSum);
+        greatestSum = greatest(greatestSum);
+        judgedSum = greatest(judgedSum);
+        currentArea = total(currentArea);
+        areaMoment = total(areaMoment);
+        valueError = greatest(valueError);
+        fluxError = greatest(fluxError);
+        force = total(force);
+        moment = total(moment);
+        leastTraction = least(leastTraction);
+        greatestTraction = greatest(greatestTraction);
+    }
+};
+
+
+//- Box of the current corners of a side, over all processors
+boundBox boxOf(const sideSums& side)
+{
+    boundBox box(boundBox::invertedBox);
+    for (label k = 0; k < side.corners.size(); ++k)
+    {
+        box.add(side.position(k));
+    }
+    reduce(box.min(), minOp<vector>());
+    reduce(box.max(), maxOp<vector>());
+    return box;
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * Functions * * * * * * * * * * * * * * * * //
+
+void Foam::checkInterface
+(
+    const bodyInterface& contact,
+    const contactLimits& limits,
+    contactReport& report,
+    contactLines& lines
+)
+{
+    typedef contactReport table;
+
+    const contactPairing& pairing = contact.pairing();
+    const List<contactOverlap>& overlaps = pairing.overlaps();
+    const bool tied = contact.law().bonded();
+    const List<contactSide> sides(contact.sides());
+    sideSums M(sides[0]), P(sides[1]);
+
+    const boundBox box(boxOf(M)), plusBox(boxOf(P));
+    const point middle(box.midpoint());
+
+    const label nOverlaps = total(overlaps.size());
+    scalar width = 0;
+    for (const contactOverlap& o : overlaps) width += o.width;
+    width = total(width)/max(nOverlaps, label(1));
+    const scalar perWidth = 1/max(width, VSMALL);
+    const scalar extent = max(box.mag(), max(width, VSMALL));
+
+    // A linear field that changes by one over a mean width, in each direction
+    const auto linear = [&](const point& x)
+    {
+        return vector(vector::one + perWidth*(x - middle));
+    };
+
+    // The plus corners to where the minus side is
+    List<cornerState> plus(P.corners.size());
+    forAll(plus, k)
+    {
+        const point x(P.position(k));
+        const vector u(linear(x));
+        plus[k][0] = 1;
+        for (direction i = 0; i < 3; ++i)
+        {
+            plus[k][1 + i] = x[i];
+            plus[k][4 + i] = P.corners.n[k][i];
+            plus[k][7 + i] = u[i];
+        }
+        plus[k][10] = P.corners.stretch[k];
+    }
+    if (pairing.distributed())
+    {
+        pairing.map().distribute(plus);
+    }
+
+    List<cornerSum> toMinus(M.corners.size(), cornerSum(scalar(0)));
+    List<cornerSum> toPlus(plus.size(), cornerSum(scalar(0)));
+
+    scalar leastGap = GREAT, greatestGap = -GREAT, gapArea = 0;
+    scalar opposedArea = 0, penetration = 0, magForce = 0;
+    scalar constantError = 0, ownError = 0, acrossError = 0, offset = 0;
+    label nNear = 0, nNotOpposed = 0;
+
+    lines.setNames
+    (
+        {"area", "gap", "minusShare", "plusShare", "offset", "rank"}
+    );
+
+    for (const contactOverlap& o : overlaps)
+    {
+        // Both sides at the centroid
+        cornerState b(scalar(0));
+        for (label j = 0; j < o.plus.size; ++j)
+        {
+            const cornerState& c = plus[o.plus.corner[j]];
+            forAll(b, i) b[i] += o.plus.value[j]*c[i];
+        }
+        vector x(Zero);
+        for (label j = 0; j < o.minus.size; ++j)
+        {
+            x += o.minus.value[j]*M.position(o.minus.corner[j]);
+        }
+        const vector xPlus(at(b, 1));
+
+        // As in bodyInterface::solve()
+        const vector nMinus(o.minus(M.corners.n));
+        vector n(nMinus - at(b, 4));
+        const bool opposed = mag(n) > 1;
+        n = opposed ? n/mag(n) : nMinus/mag(nMinus);
+
+        const scalar minusArea = o.minus.area*o.minus(M.corners.stretch);
+        const scalar plusArea = o.plus.area*b[10];
+        const scalar area = 0.5*(minusArea + plusArea);
+
+        // Gap and offset. Overlaps that do not face each other do not touch
+        const vector across(xPlus - x);
+        const scalar gap = across & n;
+        const scalar relativeOffset = mag(across - gap*n)/o.width;
+        const vector u(at(b, 7));
+        if (opposed)
+        {
+            const vector jump(u - linear(x));
+            acrossError = max(acrossError, mag(jump - (jump & n)*n));
+            leastGap = min(leastGap, gap);
+            greatestGap = max(greatestGap, gap);
+            opposedArea += area;
+            gapArea += gap*area;
+            penetration = max(penetration, gap < 0 ? -gap/o.width : 0);
+            if (mag(gap) <= o.width)
+            {
+                ++nNear;
+                offset = max(offset, relativeOffset);
+            }
+        }
+        else
+        {
+            ++nNotOpposed;
+        }
+
+        // Weights, and areas with the gap closed
+        M.addWeights(o.minus);
+        P.addWeights(o.plus);
+        M.currentArea += minusArea;
+        P.currentArea += plusArea;
+        M.areaMoment += minusArea*(x - middle);
+        P.areaMoment += plusArea*(xPlus - gap*n - middle);
+
+        // Transfer
+        constantError = max(constantError, mag(b[0] - 1));
+        ownError = max(ownError, mag(u - linear(xPlus)));
+
+        // A unit pressure
+        magForce += area;
+        const bool judged =
+            !contact.moves() || gap <= contactLimits::closeGap*o.width;
+        cornerSum& minusSum = toMinus[o.minus.corner[0]];
+        cornerSum& plusSum = toPlus[o.plus.corner[0]];
+        minusSum[0] += o.minus.share;
+        plusSum[0] += o.plus.share;
+        if (judged)
+        {
+            minusSum[5] += o.minus.share;
+            plusSum[5] += o.plus.share;
+        }
+        const auto spread = [&]
+        (
+            List<cornerSum>& to,
+            const contactStencil& s,
+            const scalar sign
+        )
+        {
+            for (label j = 0; j < s.size; ++j)
+            {
+                cornerSum& c = to[s.corner[j]];
+                const scalar part = s.flux[j]*area;
+                for (direction i = 0; i < 3; ++i)
+                {
+                    c[1 + i] += sign*part*n[i];
+                }
+                c[4] += part;
+            }
+        };
+        spread(toMinus, o.minus, -1);
+        spread(toPlus, o.plus, 1);
+
+        lines.append
+        (
+            x, xPlus,
+            {
+                area, gap, o.minus.share, o.plus.share, relativeOffset,
+                scalar(Pstream::myProcNo())
+            }
+        );
+    }
+
+    if (pairing.distributed())
+    {
+        // What slots got to their corners, as bodyInterface::collect()
+        const mapDistribute& map = pairing.map();
+        mapDistributeBase::distribute
+        (
+            Pstream::commsTypes::nonBlocking,
+            List<labelPair>(),
+            P.corners.size(),
+            map.constructMap(),
+            false,
+            map.subMap(),
+            false,
+            toPlus,
+            addSums(),
+            unchanged(),
+            cornerSum(scalar(0))
+        );
+    }
+    M.finish(toMinus, middle);
+    P.finish(toPlus, middle);
+
+    leastGap = least(leastGap);
+    greatestGap = greatest(greatestGap);
+    penetration = greatest(penetration);
+    constantError = greatest(constantError);
+    ownError = greatest(ownError);
+    acrossError = greatest(acrossError);
+    offset = greatest(offset);
+    nNear = total(nNear);
+    nNotOpposed = total(nNotOpposed);
+    magForce = total(magForce);
+    gapArea = total(gapArea);
+    opposedArea = total(opposedArea);
+
+    // The table
+    const auto row = [&](const char* name, const auto& m, const auto& p)
+    {
+        report.row(name, {table::text(m), table::text(p)});
+    };
+    const auto single = [&](const char* name, const auto& value)
+    {
+        report.row(name, {table::text(value)});
+    };
+
+    report.head(2);
+    row("Faces", M.nFaces, P.nFaces);
+    row("Corners", M.nCorners, P.nCorners);
+    row("Corners without partner", M.nWithout, P.nWithout);
+    row("Corners partly covered", M.nPartly, P.nPartly);
+    row("Area [m2]", M.area, P.area);
+    row("Coverage", M.covered/M.area, P.covered/P.area);
+    if (nOverlaps)
+    {
+        row("Least sum of weights (of covered)", M.leastSum, P.leastSum);
+        row("Greatest sum of weights", M.greatestSum, P.greatestSum);
+        if (contact.moves())
+        {
+            row("  of overlaps about to touch", M.judgedSum, P.judgedSum);
+        }
+    }
+    single("Overlaps", nOverlaps);
+
+    if (nOverlaps == 0)
+    {
+        // Bodies that have not met yet, or are too deep in each other
+        report.row
+        (
+            "Boxes of the sides",
+            {box.overlaps(plusBox) ? "overlap" : "are apart"}
+        );
+    }
+    else
+    {
+        const scalar maxArea = max(M.currentArea, P.currentArea);
+        row("Current area of overlaps [m2]", M.currentArea, P.currentArea);
+        single
+        (
+            "  difference, relative",
+            mag(M.currentArea - P.currentArea)/maxArea
+        );
+        single("First moment of them [m3] (1)", M.areaMoment);
+        single("", P.areaMoment);
+        single
+        (
+            "  difference, relative (1)",
+            mag(M.areaMoment - P.areaMoment)/(maxArea*extent)
+        );
+
+        if (nNotOpposed)
+        {
+            single("Overlaps with unopposed normals", nNotOpposed);
+        }
+        if (nNotOpposed < nOverlaps)
+        {
+            single("Least gap [m]", leastGap);
+            single("Mean gap [m]", gapArea/opposedArea);
+            single("Greatest gap [m]", greatestGap);
+            single("Penetration / face width", penetration);
+            single("Overlaps closer than a face width", nNear);
+            if (nNear)
+            {
+                single("  tangential offset / face width", offset);
+            }
+        }
+
+        single("Transfer of a constant, error", constantError);
+        single("Transfer of a linear field (2)", ownError);
+        single("  at the other side's point", acrossError);
+        row("Sum of value weights, error", M.valueError, P.valueError);
+        row("Sum of flux weights, error", M.fluxError, P.fluxError);
+
+        single
+        (
+            "Force balance of unit pressure",
+            mag(M.force + P.force)/magForce
+        );
+        single
+        (
+            "Moment balance (1)",
+            mag(M.moment + P.moment)/(magForce*extent)
+        );
+        if (max(M.greatestTraction, P.greatestTraction) > 0)
+        {
+            const auto range = [](const sideSums& s)
+            {
+                return
+                    s.greatestTraction < 0 ? std::string("-")
+                  : table::text
+                    (
+                        max(mag(s.leastTraction - 1), s.greatestTraction - 1)
+                    );
+            };
+            report.row
+            (
+                "Traction of covered faces, error", {range(M), range(P)}
+            );
+        }
+        Info<< "    (1) about " << middle << "; relative to the extent "
+            << extent << " m" << nl
+            << "    (2) tangential part; by its change over a mean face width "
+            << width << " m" << nl;
+    }
+
+    // The judgement. Comparisons that fail for what is not a number, too
+    for (const sideSums* s : {&M, &P})
+    {
+        const std::string& name = report.side(s == &M ? 0 : 1);
+        const scalar coverage = s->covered/s->area;
+        report.check
+        (
+            coverage >= limits.minCoverage*(1 - 1e-9),
+            "Coverage of " + name + " is " + table::text(coverage)
+          + ", less than " + table::text(limits.minCoverage)
+        );
+        report.check
+        (
+            s->judgedSum <= contactLimits::maxWeightSum,
+            "Overlaps of " + name + " overlap each other: sum of weights "
+          + table::text(s->judgedSum) + " > "
+          + table::text(scalar(contactLimits::maxWeightSum))
+        );
+        report.check
+        (
+            s->fluxError <= contactLimits::maxTransferError,
+            "Flux weights of " + name + " do not sum up to 1: error "
+          + table::text(s->fluxError)
+        );
+    }
+    constantError = max(constantError, max(M.valueError, P.valueError));
+    report.check
+    (
+        constantError <= contactLimits::maxTransferError,
+        "A constant field is not transferred: error "
+      + table::text(constantError)
+    );
+    const scalar forceDefect =
+        mag(M.force + P.force)/max(magForce, VSMALL);
+    report.check
+    (
+        forceDefect <= contactLimits::maxForceDefect,
+        "Forces on both sides do not balance: relative defect "
+      + table::text(forceDefect)
+    );
+    report.check
+    (
+        tied || penetration <= limits.maxPenetration,
+        "The sides penetrate each other by " + table::text(penetration)
+      + " face widths, more than " + table::text(limits.maxPenetration)
+    );
+    report.check
+    (
+        offset <= contactLimits::maxOffset,
+        "Points that are paired are " + table::text(offset)
+      + " face widths apart along the surface"
+      + (
+            contact.moves()
+          ? "" : ": the bodies have slid, or the surfaces do not fit when "
+            "the gap is closed; 'pairing nearestFace' follows"
+        )
+    );
+}
+
+
+// ************************************************************************* //
