@@ -8,6 +8,9 @@
 #include "contactSurface.H"
 #include "solidBody.H"
 #include "AMIPatchToPatchInterpolation.H"
+#include "indexedOctree.H"
+#include "treeDataPoint.H"
+#include "HashSet.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -94,18 +97,51 @@ void levelThickness(surface& s, const medianDual& dual, const scalar extent)
     }
 }
 
-//- Smallest coordinate along a direction over all processors
-scalar nearestAlong(const surface& s, const vector& direction)
+//- The points of the faces
+pointField usedPoints(const surface& s)
 {
-    scalar least = GREAT;
-    for (const face& f : s.faces)
-    {
-        for (const label p : f) least = min(least, s.points[p] & direction);
-    }
-    return returnReduce(least, minOp<scalar>());
+    labelHashSet used;
+    for (const face& f : s.faces) used.insert(f);
+    return pointField(s.points, used.sortedToc());
 }
 
 } // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::contactPairings::AMI::leastGap
+(
+    const pointField& source,
+    const pointField& allTarget,
+    const vector& direction
+)
+{
+    scalar gap = GREAT;
+    if (source.size() && allTarget.size())
+    {
+        pointField across(allTarget);
+        for (point& p : across) p -= (p & direction)*direction;
+
+        treeBoundBox box(across);
+        const vector margin(vector::one*(1e-3*box.mag() + SMALL));
+        box.min() -= margin;
+        box.max() += margin;
+        const indexedOctree<treeDataPoint> tree
+        (
+            treeDataPoint(across), box, 12, 10, 3.0
+        );
+        for (const point& x : source)
+        {
+            const pointIndexHit hit
+            (
+                tree.findNearest(x - (x & direction)*direction, sqr(GREAT))
+            );
+            gap = min(gap, (allTarget[hit.index()] - x) & direction);
+        }
+    }
+    return returnReduce(gap, minOp<scalar>());
+}
 
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -135,8 +171,10 @@ Foam::contactPairings::AMI::AMI
     surface target(plus, plusFaces, -direction);
 
     // Close the gap
-    const scalar gap =
-        nearestAlong(target, direction) + nearestAlong(source, -direction);
+    const scalar gap = leastGap
+    (
+        usedPoints(source), gathered(usedPoints(target)), direction
+    );
     target.points -= gap*direction;
     for (contactFace& f : plusFaces)
     {

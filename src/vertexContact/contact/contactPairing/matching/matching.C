@@ -10,7 +10,6 @@
 #include "indexedOctree.H"
 #include "treeDataPoint.H"
 #include "HashSet.H"
-#include "ListListOps.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -23,27 +22,6 @@ namespace contactPairings
     addToRunTimeSelectionTable(contactPairing, matching, dictionary);
 }
 }
-
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace
-{
-
-//- All processors' lists, one after the other, on every processor
-template<class T>
-Foam::List<T> gathered(const Foam::List<T>& mine)
-{
-    using namespace Foam;
-
-    List<List<T>> all(Pstream::nProcs());
-    all[Pstream::myProcNo()] = mine;
-    Pstream::gatherList(all);
-    Pstream::scatterList(all);
-    return ListListOps::combine<List<T>>(all, accessOp<List<T>>());
-}
-
-} // End anonymous namespace
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
