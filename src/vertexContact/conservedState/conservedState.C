@@ -55,6 +55,34 @@ Foam::conservedState::conservedState
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+void Foam::conservedState::makePlastic()
+{
+    strideCpi = nDim == 3 ? 6 : 2*nDim;
+    Cpi.setSize(nNodes*strideCpi, Zero);
+    epsilonPEq.setSize(nNodes, Zero);
+    for (label i = 0; i < nNodes; ++i)
+    {
+        scalar* C = Cpi.data() + i*strideCpi;
+        for (label a = 0, k = 0; a < nDim; ++a)
+        {
+            C[k] = 1;
+            k += nDim - a;
+        }
+        if (nDim < 3) C[strideCpi - 1] = 1;
+    }
+}
+
+
+void Foam::conservedState::assignElastic(const conservedState& other)
+{
+    lm = other.lm;
+    disp = other.disp;
+    F = other.F;
+    H = other.H;
+    J = other.J;
+}
+
+
 std::size_t Foam::conservedState::bytes() const
 {
     return
@@ -62,6 +90,7 @@ std::size_t Foam::conservedState::bytes() const
        *std::size_t
         (
             lm.size() + disp.size() + F.size() + H.size() + J.size()
+          + Cpi.size() + epsilonPEq.size()
         );
 }
 

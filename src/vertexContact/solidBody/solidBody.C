@@ -365,6 +365,17 @@ Foam::solidBody::solidBody(const Time& runTime, const word& region)
         symmetry_.projectEdges(dual_, data_.mirrorArea);
     }
 
+    if (material_->plastic())
+    {
+        // The old state of a step needs none: it is committed at the end
+        data_.state.makePlastic();
+        ownedVolume_ = dual_.nodeVolume();
+        forAll(ownedVolume_, a)
+        {
+            if (!dual_.sharing().owned()[a]) ownedVolume_[a] = 0;
+        }
+    }
+
     makeCorners();
     readState();
 }
@@ -667,13 +678,24 @@ Foam::scalar Foam::solidBody::timeScale()
 
 Foam::label Foam::solidBody::advance(const scalar deltaT, const int stage)
 {
+    data_.state.sinceCommit = deltaT;
     return kernel_->advance(data_, deltaT, stage);
+}
+
+
+Foam::scalar Foam::solidBody::commitPlasticity()
+{
+    return
+        material_->plastic()
+      ? material_->commit(data_.state, ownedVolume_)
+      : 0;
 }
 
 
 void Foam::solidBody::restoreOld()
 {
-    data_.state = data_.old;
+    data_.state.assignElastic(data_.old);
+    data_.state.sinceCommit = 0;
 }
 
 

@@ -189,6 +189,33 @@ void Foam::solidBody::readState()
         deformationFromDisplacement();
     }
 
+    if (material_->plastic())
+    {
+        const auto C = readIfPresent<symmTensor>("CpInv", dimless);
+        const auto strain = readIfPresent<scalar>("epsilonPEq", dimless);
+        const label out = d == 2 ? 3 - dir[0] - dir[1] : (dir[0] + 1) % 3;
+        for (label a = 0; a < n; ++a)
+        {
+            if (C.valid())
+            {
+                const tensor full(C().primitiveField()[point[a]]);
+                scalar* p = s.Cpi.data() + a*s.strideCpi;
+                for (label i = 0; i < d; ++i)
+                {
+                    for (label j = i; j < d; ++j)
+                    {
+                        *p++ = full[3*dir[i] + dir[j]];
+                    }
+                }
+                if (d < 3) *p = full[4*out];
+            }
+            if (strain.valid())
+            {
+                s.epsilonPEq[a] = strain().primitiveField()[point[a]];
+            }
+        }
+    }
+
     const scalar removed = returnReduce
     (
         symmetry_.project(s.lm), maxOp<scalar>()
@@ -366,6 +393,32 @@ void Foam::solidBody::write()
         );
     }
 
+    if (material_->plastic())
+    {
+        writeField<symmTensor>
+        (
+            "CpInv", dimless,
+            [&](const label a)
+            {
+                const scalar* p = s.Cpi.cdata() + a*s.strideCpi;
+                tensor C(d < 3 ? p[s.strideCpi - 1]*tensor(tensor::I) : Zero);
+                for (label i = 0; i < d; ++i)
+                {
+                    for (label j = i; j < d; ++j)
+                    {
+                        C[3*dir[i] + dir[j]] = C[3*dir[j] + dir[i]] = *p++;
+                    }
+                }
+                return symm(C);
+            }
+        );
+        writeField<scalar>
+        (
+            "epsilonPEq", dimless,
+            [&](const label a) { return s.epsilonPEq[a]; }
+        );
+    }
+
     writeField<symmTensor>
     (
         "sigma", dimPressure,
@@ -476,7 +529,7 @@ void Foam::solidBody::report(Ostream& os) const
     }
     os  << (bodyForces_.empty() ? " off" : "")
         << ", contact " << onOff(hasContact_)
-        << ", plasticity off" << nl
+        << ", plasticity " << onOff(material_->plastic()) << nl
         << "    " << label(scalar(bytes)/max(nNodes, label(1)))
         << " bytes per node" << nl;
 }

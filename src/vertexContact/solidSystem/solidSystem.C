@@ -200,6 +200,14 @@ void Foam::solidSystem::advance(const scalar deltaT, const int stage)
         stopOnBadState();
     }
     pairAgain_ = pairAgain_ || wrong.y() > 0;
+
+    if (stage == 1)
+    {
+        forAll(bodies_, i)
+        {
+            accounts_[i].plastic += bodies_[i].commitPlasticity();
+        }
+    }
 }
 
 
@@ -452,6 +460,7 @@ Foam::solidSystem::energies Foam::solidSystem::bodyEnergies
     e.strain = returnReduce(bodies_[i].strainEnergy(), sumOp<scalar>());
     e.numericalDissipation =
         returnReduce(accounts_[i].numericalDissipation, sumOp<scalar>());
+    e.plasticDissipation = returnReduce(accounts_[i].plastic, sumOp<scalar>());
     e.externalWork = returnReduce(accounts_[i].external, sumOp<scalar>());
     e.contactWork = returnReduce(accounts_[i].contact, sumOp<scalar>());
     e.balance =

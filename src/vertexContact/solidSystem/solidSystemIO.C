@@ -65,6 +65,8 @@ void Foam::solidSystem::readAccounts()
             {
                 accounts_[i].numericalDissipation =
                     body.get<scalar>("numericalDissipation");
+                accounts_[i].plastic =
+                    body.getOrDefault<scalar>("plasticDissipation", 0);
                 accounts_[i].external = body.get<scalar>("externalWork");
                 accounts_[i].contact = body.get<scalar>("contactWork");
             }
@@ -178,6 +180,8 @@ void Foam::solidSystem::writeAll()
         os  << "region_" << bodies_[i].name() << nl << '{' << nl
             << "    initialEnergy " << initialEnergy_[i] << ';' << nl
             << "    numericalDissipation " << e[i].numericalDissipation
+            << ';' << nl
+            << "    plasticDissipation " << e[i].plasticDissipation
             << ';' << nl
             << "    externalWork " << e[i].externalWork << ';' << nl
             << "    contactWork " << e[i].contactWork << ';' << nl

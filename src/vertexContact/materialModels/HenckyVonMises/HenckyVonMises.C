@@ -1,0 +1,410 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "HenckyVonMises.H"
+#include "principalValues.H"
+#include "dictionaryCheck.H"
+#include "addToRunTimeSelectionTable.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    defineTypeNameAndDebug(HenckyVonMises, 0);
+    addToRunTimeSelectionTable(materialModel, HenckyVonMises, dictionary);
+}
+
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- Trial state of a node: principal directions, logarithmic strains and their
+//  mean, stress of von Mises for no plastic flow
+template<int D>
+struct trialState
+{
+    const principalValues<D> b;
+    scalar mean;
+    scalar deviator[3];
+    scalar q;
+
+    trialState
+    (
+        const SolidTensor<D>& F,
+        const SolidTensor<D>& Cpi,
+        const scalar mu
+    )
+    :
+        b(leftCauchyGreen(F, Cpi))
+    {
+        mean = 0;
+        for (int i = 0; i < 3; ++i)
+        {
+            deviator[i] = 0.5*std::log(b.value[i]);
+            mean += deviator[i]/3;
+        }
+        scalar sum = 0;
+        for (int i = 0; i < 3; ++i)
+        {
+            deviator[i] -= mean;
+            sum += sqr(deviator[i]);
+        }
+        q = 2*mu*std::sqrt(1.5*sum);
+    }
+
+    //- F Cp^-1 F^T
+    static SolidTensor<D> leftCauchyGreen
+    (
+        const SolidTensor<D>& F,
+        const SolidTensor<D>& C
+    )
+    {
+        SolidTensor<D> b;
+        for (int i = 0; i < D; ++i)
+        {
+            scalar FC[D];
+            for (int k = 0; k < D; ++k)
+            {
+                FC[k] = 0;
+                for (int m = 0; m < D; ++m) FC[k] += F(i, m)*C(m, k);
+            }
+            for (int j = 0; j <= i; ++j)
+            {
+                scalar sum = 0;
+                for (int k = 0; k < D; ++k) sum += FC[k]*F(j, k);
+                b(i, j) = b(j, i) = sum;
+            }
+        }
+        b.out = D < 3 ? C.out : 0;
+        return b;
+    }
+};
+
+//- Symmetric part of the plastic state of a node: in the plane row by row from
+//  the diagonal on, then the one out of the plane
+template<int D>
+SolidTensor<D> loadCpi(const conservedState& s, const label i)
+{
+    const scalar* p = s.Cpi.cdata() + i*s.strideCpi;
+    SolidTensor<D> C;
+    for (int a = 0; a < D; ++a)
+    {
+        for (int b = a; b < D; ++b) C(a, b) = C(b, a) = *p++;
+    }
+    C.out = D < 3 ? *p : 0;
+    return C;
+}
+
+template<int D>
+void storeCpi(conservedState& s, const label i, const SolidTensor<D>& C)
+{
+    scalar* p = s.Cpi.data() + i*s.strideCpi;
+    for (int a = 0; a < D; ++a)
+    {
+        for (int b = a; b < D; ++b) *p++ = 0.5*(C(a, b) + C(b, a));
+    }
+    if (D < 3) *p = C.out;
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<int D, class Hardening>
+void Foam::HenckyVonMises::stressLoop
+(
+    const Hardening& yield,
+    const conservedState& s,
+    scalar* __restrict P,
+    scalar* __restrict SigmaJ,
+    const label stride
+) const
+{
+    const scalar twoMu = 2*mu(), threeMu = 3*mu();
+
+    for (label i = 0; i < s.nNodes; ++i)
+    {
+        const SolidTensor<D> F = loadF<D>(s.F.cdata(), i);
+        const SolidTensor<D> G = cofactor(F);
+        const scalar detF = determinant(F, G);
+        const SolidTensor<D> H =
+            s.solvesH ? loadH<D>(F, s.H.cdata(), i) : G;
+        const scalar J = s.solvesJ ? s.J[i] : detF;
+
+        const trialState<D> trial(F, loadCpi<D>(s, i), mu());
+        const scalar strain = s.epsilonPEq[i];
+        scalar shrink = 1;
+        if (trial.q > yield.yield(strain))
+        {
+            shrink -=
+                threeMu/trial.q
+               *yield.increment(trial.q, strain, threeMu, s.sinceCommit);
+        }
+
+        // Kirchhoff stress, and P = tau F^-T + SigmaJ H
+        scalar tau[3];
+        for (int k = 0; k < 3; ++k)
+        {
+            tau[k] = shrink*twoMu*trial.deviator[k];
+        }
+        const SolidTensor<D> T = trial.b.compose(tau);
+        const scalar SJ = kappa()*std::log(J)/J;
+        const scalar perDetF = 1/detF;
+        for (int a = 0; a < D; ++a)
+        {
+            for (int j = 0; j < D; ++j)
+            {
+                scalar sum = 0;
+                for (int k = 0; k < D; ++k) sum += T(a, k)*G(k, j);
+                P[i*stride + a*D + j] = perDetF*sum + SJ*H(a, j);
+            }
+        }
+        if (SigmaJ) SigmaJ[i*stride] = SJ;
+    }
+}
+
+
+template<int D, class Hardening>
+Foam::scalar Foam::HenckyVonMises::commitLoop
+(
+    const Hardening& yield,
+    conservedState& s,
+    const scalarField& weight
+) const
+{
+    const scalar threeMu = 3*mu();
+    scalar dissipated = 0;
+
+    for (label i = 0; i < s.nNodes; ++i)
+    {
+        const SolidTensor<D> F = loadF<D>(s.F.cdata(), i);
+        const trialState<D> trial(F, loadCpi<D>(s, i), mu());
+        const scalar strain = s.epsilonPEq[i];
+        const scalar before = yield.yield(strain);
+        if (!(trial.q > before))
+        {
+            continue;
+        }
+
+        const scalar d =
+            yield.increment(trial.q, strain, threeMu, s.sinceCommit);
+        const scalar shrink = 1 - threeMu*d/trial.q;
+
+        // b_e, and Cp^-1 = F^-1 b_e F^-T
+        scalar square[3];
+        for (int k = 0; k < 3; ++k)
+        {
+            square[k] = std::exp(2*(trial.mean + shrink*trial.deviator[k]));
+        }
+        const SolidTensor<D> be = trial.b.compose(square);
+        const SolidTensor<D> G = cofactor(F);
+        const scalar perSquare = 1/sqr(determinant(F, G));
+        SolidTensor<D> C;
+        for (int a = 0; a < D; ++a)
+        {
+            scalar Gb[D];
+            for (int k = 0; k < D; ++k)
+            {
+                Gb[k] = 0;
+                for (int m = 0; m < D; ++m) Gb[k] += G(m, a)*be(m, k);
+            }
+            for (int b = 0; b < D; ++b)
+            {
+                scalar sum = 0;
+                for (int k = 0; k < D; ++k) sum += Gb[k]*G(k, b);
+                C(a, b) = perSquare*sum;
+            }
+        }
+        C.out = be.out;
+        storeCpi(s, i, C);
+        s.epsilonPEq[i] = strain + d;
+
+        // Work of the flow: the mean stress of the increment, also where it
+        // is above the yield stress at rest
+        dissipated += weight[i]*d*0.5*(before + shrink*trial.q);
+    }
+
+    s.sinceCommit = 0;
+    return dissipated;
+}
+
+
+template<int D>
+Foam::scalar Foam::HenckyVonMises::energyOfDim
+(
+    const conservedState& s,
+    const label i
+) const
+{
+    const SolidTensor<D> F = loadF<D>(s.F.cdata(), i);
+    const scalar J = s.solvesJ ? s.J[i] : determinant(F);
+    const trialState<D> trial(F, loadCpi<D>(s, i), mu());
+    scalar sum = 0;
+    for (int k = 0; k < 3; ++k) sum += sqr(trial.deviator[k]);
+    return mu()*sum + 0.5*kappa()*sqr(std::log(J));
+}
+
+
+template<int D>
+Foam::tensor Foam::HenckyVonMises::CauchyOfDim
+(
+    const conservedState& s,
+    const label i
+) const
+{
+    // Committed states are elastic
+    const SolidTensor<D> F = loadF<D>(s.F.cdata(), i);
+    const scalar J = s.solvesJ ? s.J[i] : determinant(F);
+    const trialState<D> trial(F, loadCpi<D>(s, i), mu());
+    scalar tau[3];
+    for (int k = 0; k < 3; ++k)
+    {
+        tau[k] = 2*mu()*trial.deviator[k] + kappa()*std::log(J);
+    }
+    const SolidTensor<D> T = trial.b.compose(tau);
+
+    tensor sigma(Zero);
+    for (int a = 0; a < 3; ++a)
+    {
+        for (int b = 0; b < 3; ++b)
+        {
+            sigma[3*a + b] =
+                a < D && b < D ? T(a % D, b % D)/J : a == b ? T.out/J : 0;
+        }
+    }
+    return sigma;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::HenckyVonMises::HenckyVonMises
+(
+    const dictionary& dict,
+    const jacobianForm
+)
+:
+    materialModel
+    (
+        dict,
+        wordList
+        ({
+            "tauY", "Hardening", "hardeningCurve", "maxStrain", "JohnsonCook",
+            "hardeningCurveCoeffs"
+        })
+    )
+{
+    const label given =
+        label(dict.found("tauY")) + label(dict.found("hardeningCurve"))
+      + label(dict.found("JohnsonCook"));
+    if (given != 1)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Keyword 'tauY': " << given << " descriptions of the yield "
+            << "stress are given." << nl
+            << "Give exactly one of (tauY hardeningCurve JohnsonCook)"
+            << exit(FatalIOError);
+    }
+    if (dict.found("tauY"))
+    {
+        curve_ = curve::linear;
+        linear_ = hardening::linear(dict);
+    }
+    else if (dict.found("JohnsonCook"))
+    {
+        curve_ = curve::JohnsonCook;
+        JohnsonCook_ = hardening::JohnsonCook(dict.subDict("JohnsonCook"));
+    }
+    else
+    {
+        curve_ = curve::table;
+        table_ = hardening::table(dict);
+    }
+    if (curve_ != curve::linear && dict.found("Hardening"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Keyword 'Hardening' belongs to 'tauY', which is not given"
+            << exit(FatalIOError);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::HenckyVonMises::yieldStress(const scalar strain) const
+{
+    return withHardening([&](const auto& h) { return h.yield(strain); });
+}
+
+
+void Foam::HenckyVonMises::stress
+(
+    const conservedState& s,
+    scalar* P,
+    scalar* SigmaJ,
+    const label stride
+) const
+{
+    withHardening([&](const auto& h)
+    {
+        switch (s.nDim)
+        {
+            case 1: stressLoop<1>(h, s, P, SigmaJ, stride); break;
+            case 2: stressLoop<2>(h, s, P, SigmaJ, stride); break;
+            default: stressLoop<3>(h, s, P, SigmaJ, stride); break;
+        }
+    });
+}
+
+
+Foam::scalar Foam::HenckyVonMises::commit
+(
+    conservedState& s,
+    const scalarField& weight
+) const
+{
+    return withHardening([&](const auto& h)
+    {
+        return
+            s.nDim == 1 ? commitLoop<1>(h, s, weight)
+          : s.nDim == 2 ? commitLoop<2>(h, s, weight)
+          : commitLoop<3>(h, s, weight);
+    });
+}
+
+
+Foam::scalar Foam::HenckyVonMises::strainEnergy
+(
+    const conservedState& s,
+    const label node
+) const
+{
+    return
+        s.nDim == 1 ? energyOfDim<1>(s, node)
+      : s.nDim == 2 ? energyOfDim<2>(s, node)
+      : energyOfDim<3>(s, node);
+}
+
+
+Foam::tensor Foam::HenckyVonMises::CauchyStress
+(
+    const conservedState& s,
+    const label node
+) const
+{
+    return
+        s.nDim == 1 ? CauchyOfDim<1>(s, node)
+      : s.nDim == 2 ? CauchyOfDim<2>(s, node)
+      : CauchyOfDim<3>(s, node);
+}
+
+
+// ************************************************************************* //

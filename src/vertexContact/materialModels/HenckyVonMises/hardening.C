@@ -1,0 +1,185 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "hardening.H"
+#include "dictionaryCheck.H"
+#include "Function1.H"
+#include "TableBase.H"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::hardening::linear::linear(const dictionary& dict)
+:
+    tauY(dictionaryCheck::readNumber(dict, "tauY", dimPressure)),
+    H(dictionaryCheck::readNumberOrDefault(dict, "Hardening", dimPressure, 0))
+{
+    dictionaryCheck::require(tauY > 0, dict, "tauY", tauY, "positive");
+    dictionaryCheck::require(H >= 0, dict, "Hardening", H, "at least 0");
+}
+
+
+Foam::hardening::table::table(const dictionary& dict)
+{
+    const autoPtr<Function1<scalar>> curve
+    (
+        Function1<scalar>::New("hardeningCurve", dict)
+    );
+
+    const auto* points =
+        dynamic_cast<const Function1Types::TableBase<scalar>*>(curve.get());
+    if (points)
+    {
+        strains = points->x();
+        stresses = points->y();
+    }
+    else
+    {
+        const scalar last =
+            dictionaryCheck::readNumberOrDefault(dict, "maxStrain", dimless, 3);
+        dictionaryCheck::require
+        (
+            last > 0, dict, "maxStrain", last, "positive"
+        );
+        constexpr label n = 1000;
+        strains.setSize(n + 1);
+        stresses.setSize(n + 1);
+        for (label i = 0; i <= n; ++i)
+        {
+            strains[i] = i*last/n;
+            stresses[i] = curve->value(strains[i]);
+        }
+    }
+
+    dictionaryCheck::require
+    (
+        mag(strains[0]) < SMALL, dict, "hardeningCurve", strains[0],
+        "a curve that begins at the plastic strain 0"
+    );
+    forAll(stresses, i)
+    {
+        dictionaryCheck::require
+        (
+            stresses[i] > 0, dict, "hardeningCurve", stresses[i],
+            "positive everywhere"
+        );
+        dictionaryCheck::require
+        (
+            i == 0 || (stresses[i] >= stresses[i-1] && strains[i] > strains[i-1]),
+            dict, "hardeningCurve", stresses[i],
+            "a curve that does not fall"
+        );
+    }
+}
+
+
+Foam::hardening::JohnsonCook::JohnsonCook(const dictionary& dict)
+{
+    using namespace dictionaryCheck;
+
+    onlyKeywords(dict, wordList({"A", "B", "n", "C", "referenceRate"}));
+    A = readNumber(dict, "A", dimPressure);
+    B = readNumber(dict, "B", dimPressure);
+    n = readNumber(dict, "n", dimless);
+    C = readNumber(dict, "C", dimless);
+    rate0 = readNumberOrDefault(dict, "referenceRate", dimless/dimTime, 1);
+    require(A > 0, dict, "A", A, "positive");
+    require(B >= 0, dict, "B", B, "at least 0");
+    require(n > 0, dict, "n", n, "positive");
+    require(C >= 0, dict, "C", C, "at least 0");
+    require(rate0 > 0, dict, "referenceRate", rate0, "positive");
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::label Foam::hardening::table::part(const scalar strain) const
+{
+    label low = 0, high = strains.size();
+    while (high - low > 1)
+    {
+        const label middle = (low + high)/2;
+        (strains[middle] <= strain ? low : high) = middle;
+    }
+    return low;
+}
+
+
+Foam::scalar Foam::hardening::table::increment
+(
+    const scalar q,
+    const scalar strain,
+    const scalar threeMu,
+    const scalar
+) const
+{
+    // Part by part: the trial stress falls, the curve does not
+    scalar from = strain;
+    for (label k = part(strain); ; ++k)
+    {
+        const scalar H = slope(k);
+        const scalar Y = stresses[k] + H*(from - strains[k]);
+        const scalar rest = q - threeMu*(from - strain);
+        const scalar to = from + (rest - Y)/(threeMu + H);
+        if (k + 1 >= strains.size() || to <= strains[k + 1])
+        {
+            return to - strain;
+        }
+        from = strains[k + 1];
+    }
+}
+
+
+Foam::scalar Foam::hardening::JohnsonCook::increment
+(
+    const scalar q,
+    const scalar strain,
+    const scalar threeMu,
+    const scalar dt
+) const
+{
+    if (dt <= 0 && C > 0)
+    {
+        return 0;
+    }
+
+    const auto excess = [&](const scalar d)
+    {
+        const scalar rate = C > 0 ? d/(dt*rate0) : 1;
+        return
+            q - threeMu*d
+          - yield(strain + d)*(1 + C*std::log(max(scalar(1), rate)));
+    };
+
+    // Falls with d, from positive at 0 to negative at q/(3 mu): regula falsi
+    // with the weight of an end that stays halved
+    scalar a = 0, b = q/threeMu;
+    scalar fa = excess(a), fb = excess(b);
+    for (int i = 0; i < 100 && b - a > 1e-15*b; ++i)
+    {
+        const scalar d = (fa*b - fb*a)/(fa - fb);
+        const scalar f = excess(d);
+        if (mag(f) <= 1e-13*q)
+        {
+            return d;
+        }
+        if (f > 0)
+        {
+            a = d;
+            fa = f;
+            fb *= 0.5;
+        }
+        else
+        {
+            b = d;
+            fb = f;
+            fa *= 0.5;
+        }
+    }
+    return 0.5*(a + b);
+}
+
+
+// ************************************************************************* //
