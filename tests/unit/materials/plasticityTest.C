@@ -1,0 +1,408 @@
+/*---------------------------------------------------------------------------*\
+License
+    This file is part of vertexContact, distributed under GPL-3.0-or-later.
+
+Description
+    HenckyVonMises at one node: closed forms of proportional paths, unloading,
+    dissipation, the yield condition after each step, equal principal
+    stretches, and the hardening curves.
+
+\*---------------------------------------------------------------------------*/
+
+#include "testEnvironment.H"
+#include "materialPoint.H"
+#include "principalValues.H"
+#include "HenckyVonMises.H"
+
+using namespace Foam;
+
+// * * * * * * * * * * * * * * * * Local Data  * * * * * * * * * * * * * * * //
+
+namespace
+{
+
+constexpr scalar mu = 40, kappa = 100, tauY = 0.5, slope = 2;
+const char* const linear =
+    "type HenckyVonMises; rho 1; mu 40; kappa 100; tauY 0.5; Hardening 2;";
+
+template<int D>
+struct plasticPoint
+:
+    public materialPoint<D>
+{
+    using materialPoint<D>::s;
+    scalarField one = scalarField(1, scalar(1));
+
+    plasticPoint(const materialModel& m, kinematicSet set = kinematicSet::FHJ)
+    :
+        materialPoint<D>(m, set)
+    {
+        s.makePlastic();
+    }
+
+    //- Deform and end the step; returns the dissipation
+    scalar step(const SolidTensor<D>& F, const scalar dt = 1)
+    {
+        this->deform(F);
+        s.sinceCommit = dt;
+        return this->material.commit(s, one);
+    }
+
+    scalar strain() const { return s.epsilonPEq[0]; }
+
+    //- Kirchhoff stress of von Mises
+    scalar q() const
+    {
+        const tensor tau(s.J[0]*this->material.CauchyStress(s, 0));
+        return std::sqrt(1.5*magSqr(dev(symm(tau))));
+    }
+};
+
+SolidTensor<3> diagonal(const scalar a, const scalar b, const scalar c)
+{
+    auto F = SolidTensor<3>::identity();
+    F(0, 0) = a;
+    F(1, 1) = b;
+    F(2, 2) = c;
+    return F;
+}
+
+SolidTensor<3> times(const SolidTensor<3>& A, const SolidTensor<3>& B)
+{
+    SolidTensor<3> C;
+    for (int i = 0; i < 3; ++i)
+    {
+        for (int j = 0; j < 3; ++j)
+        {
+            C(i, j) = 0;
+            for (int k = 0; k < 3; ++k) C(i, j) += A(i, k)*B(k, j);
+        }
+    }
+    C.out = 0;
+    return C;
+}
+
+SolidTensor<3> rotation(Random& random)
+{
+    // The principal directions of any symmetric tensor
+    auto A = randomTensor<3>(random);
+    for (int i = 0; i < 3; ++i)
+    {
+        for (int j = 0; j < i; ++j) A(i, j) = A(j, i);
+    }
+    const principalValues<3> p(A);
+    SolidTensor<3> Q;
+    for (int i = 0; i < 3; ++i)
+    {
+        for (int j = 0; j < 3; ++j) Q(i, j) = p.n[i][j];
+    }
+    Q.out = 0;
+    return Q;
+}
+
+//- Plastic strain of an isochoric, proportional path of equivalent strain e
+scalar exactStrain(const scalar e)
+{
+    return max(scalar(0), (3*mu*e - tauY)/(3*mu + slope));
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
+
+TEST_CASE("principal values of random and degenerate tensors", "[materials][serial]")
+{
+    Random random(7);
+    for (label sample = 0; sample < 200; ++sample)
+    {
+        const auto Q = rotation(random);
+        auto Qt = Q;
+        for (int i = 0; i < 3; ++i)
+        {
+            for (int j = 0; j < 3; ++j) Qt(i, j) = Q(j, i);
+        }
+        const scalar a = randomScalar(random) + 2, gap = sample % 3 ? 1e-9 : 0;
+        const auto A =
+            times(Q, times(diagonal(a, sample % 2 ? a + gap : 1, a), Qt));
+        const principalValues<3> p(A);
+        const auto B = p.compose(p.value);
+        for (int k = 0; k < 9; ++k)
+        {
+            CHECK(mag(A.in[k] - B.in[k]) <= 1e-14*a);
+        }
+    }
+}
+
+
+TEST_CASE("uniaxial path against its closed form", "[materials][serial]")
+{
+    const auto model(materialFrom(linear));
+    for (const label steps : {1, 7, 300})
+    {
+        plasticPoint<3> point(*model);
+        scalar dissipated = 0;
+        for (label i = 1; i <= steps; ++i)
+        {
+            const scalar l = std::exp(0.3*i/steps);
+            dissipated +=
+                point.step(diagonal(l, 1/std::sqrt(l), 1/std::sqrt(l)));
+        }
+        const scalar ep = exactStrain(0.3);
+        CHECK(mag(point.strain() - ep) <= 1e-10);
+        CHECK(mag(point.q() - (tauY + slope*ep)) <= 1e-10);
+
+        // The integral of the yield stress; one step cuts the elastic part off
+        CHECK(mag(dissipated - (tauY*ep + 0.5*slope*sqr(ep))) <= 1e-10);
+
+        // sigma_11 - sigma_22 = q, exactly uniaxial
+        const tensor sigma(model->CauchyStress(point.s, 0));
+        CHECK(mag(sigma.xx() - sigma.yy() - point.q()) <= 1e-9);
+        CHECK(mag(sigma.yy() - sigma.zz()) <= 1e-12);
+    }
+}
+
+
+TEST_CASE("shear path in any orientation", "[materials][serial]")
+{
+    const auto model(materialFrom(linear));
+    Random random(3);
+    for (label sample = 0; sample < 20; ++sample)
+    {
+        const auto Q = rotation(random);
+        auto Qt = Q;
+        for (int i = 0; i < 3; ++i)
+        {
+            for (int j = 0; j < 3; ++j) Qt(i, j) = Q(j, i);
+        }
+        plasticPoint<3> point(*model);
+        for (label i = 1; i <= 10; ++i)
+        {
+            const scalar l = std::exp(0.02*i);
+            point.step(times(Q, times(diagonal(l, 1/l, 1), Qt)));
+        }
+        const scalar ep = exactStrain(0.2*2/std::sqrt(3.0));
+        CHECK(mag(point.strain() - ep) <= 1e-10);
+        CHECK(mag(point.q() - (tauY + slope*ep)) <= 1e-10);
+    }
+}
+
+
+TEST_CASE("volume change is elastic", "[materials][serial]")
+{
+    const auto model(materialFrom(linear));
+    for (const scalar l : {0.5, 0.9, 1.0, 1.3})
+    {
+        plasticPoint<3> point(*model);
+        const scalar dissipated = point.step(diagonal(l, l, l));
+        const scalar J = pow3(l);
+        const tensor sigma(model->CauchyStress(point.s, 0));
+        CHECK(dissipated == 0);
+        CHECK(point.strain() == 0);
+        CHECK(mag(tr(sigma)/3 - kappa*std::log(J)/J) <= 1e-10);
+        CHECK(point.q() <= 1e-10);
+    }
+}
+
+
+TEST_CASE("unloading is elastic and retraces", "[materials][serial]")
+{
+    const auto model(materialFrom(linear));
+    plasticPoint<3> point(*model);
+    const auto at = [](const scalar e)
+    {
+        const scalar l = std::exp(e);
+        return diagonal(l, 1/std::sqrt(l), 1/std::sqrt(l));
+    };
+    for (label i = 1; i <= 20; ++i) point.step(at(0.01*i));
+
+    const scalar top = point.q(), ep = point.strain();
+    const auto P = point.stress();
+    const scalar back = 0.5*top/(3*mu);
+    CHECK(point.step(at(0.2 - back)) == 0);
+    CHECK(mag(point.q() - 0.5*top) <= 1e-10);
+    point.step(at(0.2*(1 - 1e-14)));
+    CHECK(point.strain() == ep);
+    const auto again = point.stress();
+    for (int k = 0; k < 9; ++k) CHECK(mag(P.in[k] - again.in[k]) <= 1e-10);
+}
+
+
+template<int D>
+void randomPath(const materialModel& model)
+{
+    const auto& law = dynamic_cast<const HenckyVonMises&>(model);
+    Random random(D);
+    plasticPoint<D> point(model);
+    auto F = SolidTensor<D>::identity();
+    scalar before = 0;
+    for (label i = 0; i < 300; ++i)
+    {
+        F = combine(1, F, 0.01, randomTensor<D>(random));
+        F.out = 1;
+        const scalar dissipated = point.step(F);
+        CHECK(dissipated >= 0);
+        CHECK(point.strain() >= before);
+
+        const scalar Y = law.yieldStress(point.strain());
+        if (point.strain() > before)
+        {
+            CHECK(mag(point.q() - Y) <= 1e-10*Y);
+        }
+        else
+        {
+            CHECK(point.q() <= Y*(1 + 1e-10));
+        }
+        before = point.strain();
+
+        // Isochoric plastic flow
+        scalar det = 0;
+        const scalar* C = point.s.Cpi.cdata();
+        if (D == 3)
+        {
+            det =
+                C[0]*(C[3]*C[5] - sqr(C[4])) - C[1]*(C[1]*C[5] - C[2]*C[4])
+              + C[2]*(C[1]*C[4] - C[2]*C[3]);
+        }
+        else
+        {
+            det = D == 2 ? (C[0]*C[2] - sqr(C[1]))*C[3] : C[0]*sqr(C[1]);
+        }
+        CHECK(mag(det - 1) <= 1e-11);
+    }
+    CHECK(before > 0.1);
+}
+
+TEST_CASE("random paths: yield condition, dissipation", "[materials][serial]")
+{
+    const auto model(materialFrom(linear));
+    randomPath<1>(*model);
+    randomPath<2>(*model);
+    randomPath<3>(*model);
+}
+
+
+TEST_CASE("two dimensions are three with a plane", "[materials][serial]")
+{
+    const auto model(materialFrom(linear));
+    plasticPoint<2> flat(*model);
+    plasticPoint<3> solid(*model);
+    Random random(5);
+    auto F2 = SolidTensor<2>::identity();
+    for (label i = 0; i < 50; ++i)
+    {
+        F2 = combine(1, F2, 0.02, randomTensor<2>(random));
+        F2.out = 1;
+        auto F3 = SolidTensor<3>::identity();
+        for (int a = 0; a < 2; ++a)
+        {
+            for (int b = 0; b < 2; ++b) F3(a, b) = F2(a, b);
+        }
+        flat.step(F2);
+        solid.step(F3);
+        CHECK(mag(flat.strain() - solid.strain()) <= 1e-12);
+        const tensor a(model->CauchyStress(flat.s, 0));
+        const tensor b(model->CauchyStress(solid.s, 0));
+        CHECK(mag(a - b) <= 1e-10);
+        CHECK(mag(flat.energy() - solid.energy()) <= 1e-12);
+    }
+}
+
+
+TEST_CASE("hardening curves", "[materials][serial]")
+{
+    const std::string common =
+        "type HenckyVonMises; rho 1; mu 40; kappa 100; ";
+    const auto stretched = [](const materialModel& m, const scalar dt)
+    {
+        plasticPoint<3> point(m);
+        for (label i = 1; i <= 20; ++i)
+        {
+            const scalar l = std::exp(0.02*i);
+            point.step(diagonal(l, 1/std::sqrt(l), 1/std::sqrt(l)), dt);
+        }
+        return point;
+    };
+
+    SECTION("a table of a straight line is linear hardening")
+    {
+        const auto table(materialFrom
+        (
+            common + "hardeningCurve table ((0 0.5) (0.1 0.7) (5 10.5));"
+        ));
+        const auto line(materialFrom(linear));
+        const auto a = stretched(*table, 1), b = stretched(*line, 1);
+        CHECK(mag(a.strain() - b.strain()) <= 1e-12);
+        CHECK(mag(a.q() - b.q()) <= 1e-10);
+    }
+
+    SECTION("a table with kinks, beyond its end constant")
+    {
+        const auto table(materialFrom
+        (
+            common + "hardeningCurve table ((0 0.5) (0.1 0.8) (0.2 0.9));"
+        ));
+        const auto p = stretched(*table, 1);
+        CHECK(mag(p.q() - 0.9) <= 1e-10);
+        CHECK(mag(p.strain() - (0.4 - 0.9/(3*mu))) <= 1e-10);
+    }
+
+    SECTION("Johnson-Cook without rates")
+    {
+        const auto jc(materialFrom
+        (
+            common + "JohnsonCook { A 0.5; B 0.3; n 0.4; C 0; }"
+        ));
+        const auto p = stretched(*jc, 1);
+        const scalar Y = 0.5 + 0.3*std::pow(p.strain(), 0.4);
+        CHECK(mag(p.q() - Y) <= 1e-10);
+        CHECK(mag(p.strain() + Y/(3*mu) - 0.4) <= 1e-10);
+    }
+
+    SECTION("Johnson-Cook with rates")
+    {
+        const auto jc(materialFrom
+        (
+            common
+          + "JohnsonCook { A 0.5; B 0; n 1; C 0.1; referenceRate 2; }"
+        ));
+        // Perfectly plastic: strain follows with 0.02 a step
+        for (const scalar dt : {1e-1, 1e-3, 1e-5})
+        {
+            const auto p = stretched(*jc, dt);
+            const scalar Y =
+                0.5*(1 + 0.1*std::log(max(scalar(1), 0.02/dt/2)));
+            CHECK(mag(p.q() - Y) <= 1e-9);
+        }
+    }
+}
+
+
+TEST_CASE("plastic input that is wrong", "[materials][serial]")
+{
+    const std::string common =
+        "type HenckyVonMises; rho 1; mu 40; kappa 100; ";
+    const auto refused = [&](const std::string& text, const char* word)
+    {
+        const string message
+        (
+            errorMessage([&]{ materialFrom(common + text); })
+        );
+        INFO(text << " -> " << message);
+        CHECK(message.find(word) != std::string::npos);
+    };
+    refused("", "tauY");
+    refused("tauY 0;", "tauY");
+    refused("tauY 1; Hardening -1;", "Hardening");
+    refused("tauY 1; JohnsonCook { A 1; B 1; n 1; C 0; }", "JohnsonCook");
+    refused("JohnsonCook { A 1; B 1; n 1; D 0; }", "D");
+    refused("hardeningCurve table ((0 1) (1 0.5));", "hardeningCurve");
+    refused("hardeningCurve table ((0.1 1) (1 2));", "hardeningCurve");
+    refused
+    (
+        "Hardening 1; hardeningCurve table ((0 1) (1 2));", "Hardening"
+    );
+}
+
+
+// ************************************************************************* //
