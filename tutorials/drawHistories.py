@@ -145,11 +145,15 @@ def plotEnergy(file, runs, timeUnit, energyUnit):
         right.plot(t, 100*total/total[0], label=run.label, **run.style)
         right.plot(t, 100*dissipation/total[0], **{**run.style,
                                                    "linestyle": ":"})
-    for name, energy, style in (
-            ("total", total, "-"), ("kinetic", kinetic, "--"),
-            ("strain", strain, "-."), ("numerical dissipation", dissipation,
-                                       ":")):
-        left.plot(t, energy/energyUnit[1], style, color="C0", label=name)
+    parts = [("total", total, "-"), ("kinetic", kinetic, "--"),
+             ("strain", strain, "-."),
+             ("numerical dissipation", dissipation, ":")]
+    plastic = data["total:plasticDissipation"]
+    if plastic[-1] > 0:
+        parts.append(("plastic dissipation", plastic, (0, (5, 1, 1, 1, 1, 1))))
+    for name, energy, style in parts:
+        left.plot(t, energy/energyUnit[1], linestyle=style, color="C0",
+                  label=name)
     left.set(title=runs[-1].label, ylabel=f"energy [{energyUnit[0]}]")
     right.set(title="total energy, and (dotted) numerical dissipation",
               ylabel="energy / initial energy [%]")

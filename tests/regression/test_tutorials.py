@@ -16,7 +16,8 @@ def settings(tutorial):
     name = tutorial.split("/")[0]
     return {"MESH": {"twoBarImpact": "32", "spinningCube": "2",
                      "twistingColumn": "2", "nonMatchingBars": "1",
-                     "torusImpact": "3", "hertzContact": "3"}.get(name, "4")}
+                     "torusImpact": "3", "hertzContact": "3",
+                     "taylorBar": "2"}.get(name, "4")}
 
 
 FAULTY = "twoBarImpact/similar"     # the tutorial of the tests of failures

@@ -89,6 +89,11 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
         const scalar magC = std::sqrt(dot(C, C));
         const scalar magc = std::sqrt(cc);
         const scalar perC = 1/(magc + VSMALL);
+
+        // Waves cross the deformed area where that is larger: so do the
+        // dissipation, which else lags behind the central fluxes (momentum)
+        // or outruns the time step (J), and the step
+        const scalar waveC = finite ? max(magc, magC) : magC;
         SolidVector<D> n;
         for (int i = 0; i < D; ++i) n[i] = perC*c[i];
 
@@ -180,7 +185,7 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
         const scalar jumpN = dot(jump, n);
         for (int i = 0; i < D; ++i)
         {
-            t[i] += magC*(halfZs*jump[i] + (halfZp - halfZs)*jumpN*n[i]);
+            t[i] += waveC*(halfZs*jump[i] + (halfZp - halfZs)*jumpN*n[i]);
         }
         for (int i = 0; i < D; ++i)
         {
@@ -206,15 +211,13 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
         scalar fluxJ = 0;
         if constexpr (nSJ == 1)
         {
-            fluxJ = perZp*cc/(magC + VSMALL)*jumpSJ;
+            fluxJ = perZp*cc/(waveC + VSMALL)*jumpSJ;
             rateJ[a] += fluxJ;
             rateJ[b] -= fluxJ;
         }
 
-        // Waves cross the deformed area where that is larger
-        const scalar w = finite ? max(magc, magC) : magC;
-        waveSum[a] += w;
-        waveSum[b] += w;
+        waveSum[a] += waveC;
+        waveSum[b] += waveC;
 
         // Discrete energy equation of the edge, what its fluxes take from the
         // two nodes beyond the telescoping part (68), (72):

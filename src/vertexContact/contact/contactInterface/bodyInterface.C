@@ -273,12 +273,12 @@ void Foam::bodyInterface::solve(const scalar, const bool firstStage)
 
         p.minus.v = over.minus(M.v);
         p.minus.t = over.minus(M.t)/minusStretch;
-        p.minus.zp = M.zp/minusStretch;
-        p.minus.zs = M.zs/minusStretch;
+        p.minus.zp = impedance(M.zp, minusStretch);
+        p.minus.zs = impedance(M.zs, minusStretch);
         p.plus.v = vector(m[0], m[1], m[2]);
         p.plus.t = -vector(m[3], m[4], m[5])/plusStretch;
-        p.plus.zp = P.zp/plusStretch;
-        p.plus.zs = P.zs/plusStretch;
+        p.plus.zp = impedance(P.zp, plusStretch);
+        p.plus.zs = impedance(P.zs, plusStretch);
 
         p.area =
             0.5*(over.minus.area*minusStretch + over.plus.area*plusStretch);
@@ -311,8 +311,14 @@ void Foam::bodyInterface::solve(const scalar, const bool firstStage)
         {
             minusArea *= perMinusCovered_[o];
             plusArea *= perPlusCovered_[o];
-            minusForce = minusArea*M.zp/p.minus.zp;
-            plusForce = plusArea*P.zp/p.plus.zp;
+            scalar plusStretch = 0;
+            for (label j = 0; j < over.plus.size; ++j)
+            {
+                plusStretch +=
+                    over.plus.value[j]*sent_[over.plus.corner[j]][12];
+            }
+            minusForce = minusArea*over.minus(M.stretch);
+            plusForce = plusArea*plusStretch;
         }
 
         count(p, gap_[o], over.width, minusForce, plusForce);
