@@ -53,18 +53,19 @@ def force(case):
 
 def tractions(case, time):
     """Distances from the axis, and normal tractions there, of the nodes of
-    sphere 1."""
+    the lower half of sphere 1."""
     reader = pyvista.OpenFOAMReader(str(case/"system"/"controlDict"))
     reader.disable_all_patch_arrays()
-    reader.enable_patch_array("sphere1/surface")
+    reader.enable_patch_array("/sphere1/patch/surface")
     reader.disable_all_point_arrays()
     for name in "pointD", "contactTraction":
         reader.enable_point_array(name)
     reader.set_active_time_value(time)
     surface = reader.read()["sphere1"]["boundary"]["surface"]
-    x = surface.points + surface["pointD"]
+    lower = surface.points[:, 2] < hertzSolution.RADIUS
+    x = (surface.points + surface["pointD"])[lower]
     return (np.hypot(x[:, 0], x[:, 1]),
-            np.abs(surface["contactTraction"][:, 2]))
+            np.abs(surface["contactTraction"][lower, 2]))
 
 
 def plotForce(file, runs):
