@@ -28,8 +28,8 @@ TIMES = 0.001, 0.0025, 0.004, 0.0055
 LARGEST_FORCE = 0.0025      # the written time that is next to it
 TIME_UNIT = "ms", 1e-3
 PRESSURE = drawFields.Field("pressure", "pressure [kPa]", 1e3)
-# The mirrors are in front, z points upwards
-VIEW = drawSolids.turn(0, -70) @ drawSolids.turn(2, 45)
+# The mirrors are in front, z points upwards; from the height of the equator
+VIEW = drawSolids.turn(0, -90) @ drawSolids.turn(2, 45)
 
 
 def settings(case):
