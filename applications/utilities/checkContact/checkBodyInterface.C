@@ -36,13 +36,6 @@ struct addSums
     }
 };
 
-//- No corner is turned
-struct unchanged
-{
-    template<class T>
-    const T& operator()(const T& t) const { return t; }
-};
-
 template<class T>
 T total(const T& mine)
 {
@@ -245,13 +238,10 @@ void Foam::checkInterface
         }
         plus[k][10] = P.corners.stretch[k];
     }
-    if (pairing.distributed())
-    {
-        pairing.map().distribute(plus);
-    }
+    pairing.toSlots(plus);
 
     List<cornerSum> toMinus(M.corners.size(), cornerSum(scalar(0)));
-    List<cornerSum> toPlus(plus.size(), cornerSum(scalar(0)));
+    List<cornerSum> toPlus(pairing.nSlots(), cornerSum(scalar(0)));
 
     scalar leastGap = GREAT, greatestGap = -GREAT, gapArea = 0;
     scalar opposedArea = 0, penetration = 0, magForce = 0;
@@ -279,11 +269,11 @@ void Foam::checkInterface
         }
         const vector xPlus(at(b, 1));
 
-        // As in bodyInterface::solve()
-        const vector nMinus(o.minus(M.corners.n));
-        vector n(nMinus - at(b, 4));
-        const bool opposed = mag(n) > 1;
-        n = opposed ? n/mag(n) : nMinus/mag(nMinus);
+        vector n;
+        const bool opposed = contactOverlaps::commonNormal
+        (
+            o.minus(M.corners.n), at(b, 4), n
+        );
 
         const scalar minusArea = o.minus.area*o.minus(M.corners.stretch);
         const scalar plusArea = o.plus.area*b[10];
@@ -370,25 +360,7 @@ void Foam::checkInterface
         );
     }
 
-    if (pairing.distributed())
-    {
-        // What slots got to their corners, as bodyInterface::collect()
-        const mapDistribute& map = pairing.map();
-        mapDistributeBase::distribute
-        (
-            Pstream::commsTypes::nonBlocking,
-            List<labelPair>(),
-            P.corners.size(),
-            map.constructMap(),
-            false,
-            map.subMap(),
-            false,
-            toPlus,
-            addSums(),
-            unchanged(),
-            cornerSum(scalar(0))
-        );
-    }
+    pairing.toCorners(toPlus, addSums(), cornerSum(scalar(0)));
     M.finish(toMinus, middle);
     P.finish(toPlus, middle);
 

@@ -157,10 +157,7 @@ int main(int argc, char *argv[])
             }
             else if (obstacle)
             {
-                checkInterface
-                (
-                    *obstacle, runTime.value(), limits, report, lines
-                );
+                checkInterface(*obstacle, limits, report, lines);
             }
             if (vtk)
             {

@@ -15,7 +15,6 @@
 void Foam::checkInterface
 (
     const obstacleInterface& contact,
-    const scalar time,
     const contactLimits& limits,
     contactReport& report,
     contactLines& lines
@@ -45,7 +44,7 @@ void Foam::checkInterface
     }
 
     // Nearest points, asked for in the frame of the obstacle
-    const septernion pose(contact.motion().pose(time));
+    const septernion& pose = contact.motion().pose();
     pointField X(n);
     forAll(X, k)
     {

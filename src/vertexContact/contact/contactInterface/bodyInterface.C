@@ -21,17 +21,11 @@ struct combineAnswers
     template<class Answer>
     void operator()(Answer& a, const Answer& b) const
     {
-        for (label i = 0; i < 7; ++i) a[i] += b[i];
-        a[7] = min(a[7], b[7]);
-        a[8] = max(a[8], b[8]);
+        const scalar gap = min(a[7], b[7]), status = max(a[8], b[8]);
+        forAll(a, i) a[i] += b[i];
+        a[7] = gap;
+        a[8] = status;
     }
-};
-
-//- No corner is turned
-struct unchanged
-{
-    template<class T>
-    const T& operator()(const T& t) const { return t; }
 };
 
 } // End anonymous namespace
@@ -76,65 +70,33 @@ bool Foam::bodyInterface::readTwoWay(const dictionary& dict)
 }
 
 
-void Foam::bodyInterface::collect(List<answerMessage>& answers) const
-{
-    if (!pairing_->distributed())
-    {
-        return;
-    }
-    const mapDistribute& map = pairing_->map();
-    mapDistributeBase::distribute
-    (
-        Pstream::commsTypes::nonBlocking,
-        List<labelPair>(),
-        plus_.body->corners(plus_.patchi).size(),
-        map.constructMap(),
-        false,
-        map.subMap(),
-        false,
-        answers,
-        combineAnswers(),
-        unchanged(),
-        noAnswer()
-    );
-}
-
-
 void Foam::bodyInterface::resize()
 {
     const List<contactOverlap>& overlaps = pairing_->overlaps();
 
     closed_.setSize(overlaps.size(), false);
     problems_.setSize(overlaps.size());
-    gap_.setSize(overlaps.size(), GREAT);
 
     if (twoWay_)
     {
         // Covered shares, by corner
         scalarField minus(minus_.body->corners(minus_.patchi).size(), Zero);
-        const label nPlus = plus_.body->corners(plus_.patchi).size();
-        List<answerMessage> plus
-        (
-            pairing_->distributed() ? pairing_->map().constructSize() : nPlus,
-            noAnswer()
-        );
+        List<scalar> plus(pairing_->nSlots(), Zero);
         for (const contactOverlap& o : overlaps)
         {
             minus[o.minus.corner[0]] += o.minus.share;
-            plus[o.plus.corner[0]][0] += o.plus.share;
+            plus[o.plus.corner[0]] += o.plus.share;
         }
-        collect(plus);
-        if (pairing_->distributed())
-        {
-            pairing_->map().distribute(plus);
-        }
+        pairing_->toCorners(plus, plusEqOp<scalar>(), scalar(0));
+        pairing_->toSlots(plus);
+
         perMinusCovered_.setSize(overlaps.size());
         perPlusCovered_.setSize(overlaps.size());
         forAll(overlaps, o)
         {
             const contactOverlap& over = overlaps[o];
             perMinusCovered_[o] = 1/minus[over.minus.corner[0]];
-            perPlusCovered_[o] = 1/plus[over.plus.corner[0]][0];
+            perPlusCovered_[o] = 1/plus[over.plus.corner[0]];
         }
     }
 }
@@ -230,13 +192,12 @@ void Foam::bodyInterface::solve(const scalar, const bool firstStage)
         }
         m[12] = P.stretch[k];
     }
-    if (pairing_->distributed())
-    {
-        pairing_->map().distribute(sent_);
-    }
+    pairing_->toSlots(sent_);
 
     // The Riemann problem of each overlap, per current area
     const List<contactOverlap>& overlaps = pairing_->overlaps();
+    const scalar waveSpeed =
+        min(minus_.body->material().cp(), plus_.body->material().cp());
 
     forAll(problems_, o)
     {
@@ -262,14 +223,8 @@ void Foam::bodyInterface::solve(const scalar, const bool firstStage)
                     M.geometry.cornerNode[over.minus.corner[j]]
                 );
         }
-        const vector nMinus(over.minus(M.n));
         const scalar minusStretch = over.minus(M.stretch);
         const scalar plusStretch = m[12];
-
-        p.n = nMinus - vector(m[6], m[7], m[8]);
-        const scalar magN = mag(p.n);
-        const bool opposed = magN > 1;
-        p.n = opposed ? p.n/magN : nMinus/mag(nMinus);
 
         p.minus.v = over.minus(M.v);
         p.minus.t = over.minus(M.t)/minusStretch;
@@ -283,22 +238,19 @@ void Foam::bodyInterface::solve(const scalar, const bool firstStage)
         p.area =
             0.5*(over.minus.area*minusStretch + over.plus.area*plusStretch);
 
-        gap_[o] = (vector(m[9], m[10], m[11]) - x) & p.n;
-        p.touching =
-            law_->bonded()
-         || (
-                opposed
-             && gap_[o] <= (closed_[o] ? openingGap : closingGap)*over.depth
-            );
+        const bool opposed = contactOverlaps::commonNormal
+        (
+            over.minus(M.n), vector(m[6], m[7], m[8]), p.n
+        );
+        p.gap = (vector(m[9], m[10], m[11]) - x) & p.n;
+        setTouching(p, opposed, closed_[o], over.depth, waveSpeed);
     }
 
-    law_->solve(problems_);
+    solveProblems();
 
     // Forces and velocities to both sides
-    answers_.setSize(sent_.size());
-    answers_ = noAnswer();
-    fluxes_.setSize(sent_.size());
-    fluxes_ = noAnswer();
+    answers_.setSize(pairing_->nSlots());
+    answers_ = noPlusMessage();
 
     forAll(problems_, o)
     {
@@ -321,18 +273,15 @@ void Foam::bodyInterface::solve(const scalar, const bool firstStage)
             plusForce = plusArea*plusStretch;
         }
 
-        count(p, gap_[o], over.width, minusForce, plusForce);
+        count(p, over.width, minusForce, plusForce);
 
-        const answerMessage toMinus
-        (
-            answer(p, minusForce, minusArea, gap_[o])
-        );
+        const answerMessage toMinus(answer(p, minusForce, minusArea));
+        const answerMessage toPlus(plusAnswer(p, plusForce, plusArea));
+
         setState(minus_, over.minus.corner[0], toMinus, firstStage);
-        combineAnswers()
-        (
-            answers_[over.plus.corner[0]],
-            plusAnswer(p, plusForce, plusArea, gap_[o])
-        );
+        plusMessage told(noPlusMessage());
+        forAll(toPlus, i) told[i] = toPlus[i];
+        combineAnswers()(answers_[over.plus.corner[0]], told);
 
         if (p.result.state != acousticRiemann::status::open)
         {
@@ -340,27 +289,25 @@ void Foam::bodyInterface::solve(const scalar, const bool firstStage)
             {
                 addFlux(M, over.minus.corner[j], toMinus, over.minus.flux[j]);
             }
-            const answerMessage toPlus
-            (
-                plusAnswer(p, plusForce, plusArea, gap_[o])
-            );
             for (label j = 0; j < over.plus.size; ++j)
             {
-                answerMessage& f = fluxes_[over.plus.corner[j]];
+                plusMessage& f = answers_[over.plus.corner[j]];
                 for (label i = 0; i < 6; ++i)
                 {
-                    f[i] += over.plus.flux[j]*toPlus[i];
+                    f[9 + i] += over.plus.flux[j]*toPlus[i];
                 }
             }
         }
     }
 
-    collect(answers_);
-    collect(fluxes_);
+    pairing_->toCorners(answers_, combineAnswers(), noPlusMessage());
     for (label k = 0; k < P.size(); ++k)
     {
-        setState(plus_, k, answers_[k], firstStage);
-        addFlux(P, k, fluxes_[k], 1);
+        answerMessage state, flux;
+        forAll(state, i) state[i] = answers_[k][i];
+        for (label i = 0; i < 6; ++i) flux[i] = answers_[k][9 + i];
+        setState(plus_, k, state, firstStage);
+        addFlux(P, k, flux, 1);
     }
 }
 

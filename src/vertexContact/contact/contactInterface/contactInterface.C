@@ -55,12 +55,11 @@ Foam::contactInterface::answerMessage Foam::contactInterface::answer
 (
     const contactLaw::problem& p,
     const scalar force,
-    const scalar area,
-    const scalar gap
+    const scalar area
 )
 {
     answerMessage a(noAnswer());
-    a[7] = gap;
+    a[7] = p.gap;
     if (p.result.state != acousticRiemann::status::open)
     {
         // A sliding surface keeps the tangential velocity of its nodes
@@ -85,22 +84,64 @@ Foam::contactInterface::answerMessage Foam::contactInterface::plusAnswer
 (
     const contactLaw::problem& p,
     const scalar force,
-    const scalar area,
-    const scalar gap
+    const scalar area
 )
 {
     contactLaw::problem seen(p);
     seen.minus.v = p.plus.v;
     seen.result.vMinus = p.result.vPlus;
     seen.result.t = -p.result.t;
-    return answer(seen, force, area, gap);
+    return answer(seen, force, area);
+}
+
+
+void Foam::contactInterface::setTouching
+(
+    contactLaw::problem& p,
+    const bool opposed,
+    const bool closed,
+    const scalar depth,
+    const scalar waveSpeed
+) const
+{
+    const bool bonded = law_->bonded();
+    p.touching =
+        bonded
+     || (opposed && p.gap <= (closed ? openingGap : closingGap)*depth);
+
+    // Deeper penetrations do not close faster
+    p.closing =
+        p.touching && !bonded && p.gap < 0
+      ? closingRate*waveSpeed*min(-p.gap/depth, scalar(0.1))
+      : 0;
+}
+
+
+void Foam::contactInterface::solveProblems()
+{
+    // Relative velocities with the closing speed, which leaves the common
+    // velocity (30a) as it is; and afterwards those of the surfaces again
+    const auto approach = [](contactLaw::problem& p, const scalar speed)
+    {
+        const scalar perZ = speed/(p.minus.zp + p.plus.zp);
+        p.minus.v += (perZ*p.plus.zp)*p.n;
+        p.plus.v -= (perZ*p.minus.zp)*p.n;
+    };
+    for (contactLaw::problem& p : problems_)
+    {
+        if (p.closing > 0) approach(p, p.closing);
+    }
+    law_->solve(problems_);
+    for (contactLaw::problem& p : problems_)
+    {
+        if (p.closing > 0) approach(p, -p.closing);
+    }
 }
 
 
 void Foam::contactInterface::count
 (
     const contactLaw::problem& p,
-    const scalar gap,
     const scalar width,
     const scalar minusArea,
     const scalar plusArea
@@ -108,10 +149,10 @@ void Foam::contactInterface::count
 {
     statistics& s = statistics_;
 
-    if (p.touching && !law_->bonded() && gap < 0)
+    if (p.touching && !law_->bonded() && p.gap < 0)
     {
-        s.penetration = max(s.penetration, -gap);
-        s.relativePenetration = max(s.relativePenetration, -gap/width);
+        s.penetration = max(s.penetration, -p.gap);
+        s.relativePenetration = max(s.relativePenetration, -p.gap/width);
     }
     if (p.result.state == acousticRiemann::status::open)
     {

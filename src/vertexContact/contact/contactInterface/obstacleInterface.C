@@ -58,13 +58,8 @@ Foam::obstacleInterface::readSurface
 }
 
 
-Foam::scalar Foam::obstacleInterface::obstacleMoved(const scalar time) const
+Foam::scalar Foam::obstacleInterface::obstacleMoved() const
 {
-    if (!motion_.moves())
-    {
-        return 0;
-    }
-    const septernion now(motion_.pose(time));
     const boundBox box(sideMotion_.box());
     scalar moved = 0;
     if (box.min().x() <= box.max().x())
@@ -73,7 +68,7 @@ Foam::scalar Foam::obstacleInterface::obstacleMoved(const scalar time) const
         for (const point& x : corners())
         {
             const point X(oldPose_.invTransformPoint(x));
-            moved = max(moved, mag(now.transformPoint(X) - x));
+            moved = max(moved, mag(motion_.pose().transformPoint(X) - x));
         }
     }
     return moved;
@@ -144,9 +139,16 @@ Foam::labelList Foam::obstacleInterface::nearCorners() const
 
 bool Foam::obstacleInterface::outdated(const scalar time)
 {
-    return
-        sideMotion_.exceeded(time)
-     || (motion_.moves() && obstacleMoved(time) > allowed_);
+    if (sideMotion_.exceeded(time))
+    {
+        return true;
+    }
+    if (!motion_.moves())
+    {
+        return false;
+    }
+    motion_.setTime(time);
+    return obstacleMoved() > allowed_;
 }
 
 
@@ -154,7 +156,8 @@ void Foam::obstacleInterface::update(const scalar time)
 {
     const dualPatch& patch = side_.body->dual().patches()[side_.patchi];
     const label n = patch.nCorners();
-    oldPose_ = motion_.pose(time);
+    motion_.setTime(time);
+    oldPose_ = motion_.pose();
 
     // Nearest points of the obstacle, in its own frame. The nodes of a patch
     // are asked for once a corner: few, and seldom
@@ -234,9 +237,10 @@ void Foam::obstacleInterface::solve(const scalar time, const bool firstStage)
 
     cornerStates& M = side_.body->corners(side_.patchi);
     const scalarField& depth = side_.body->depth(side_.patchi);
-    const septernion pose(motion_.pose(time));
+    const scalar waveSpeed = side_.body->material().cp();
+    motion_.setTime(time);
+    const septernion& pose = motion_.pose();
 
-    scalarField gap(planes_.size());
     forAll(planes_, i)
     {
         const label k = planes_[i].corner;
@@ -248,38 +252,35 @@ void Foam::obstacleInterface::solve(const scalar time, const bool firstStage)
         );
         const point X(pose.invTransformPoint(x));
 
-        // Out of the body
-        p.n = -pose.r().transform(planes_[i].n);
-        gap[i] = (X - planes_[i].x) & planes_[i].n;
-
         p.minus.v = M.v[k];
         p.minus.t = M.t[k]/M.stretch[k];
         p.minus.zp = impedance(M.zp, M.stretch[k]);
         p.minus.zs = impedance(M.zs, M.stretch[k]);
-        p.plus.v = motion_.velocity(time, x);
+        p.plus.v = motion_.velocity(X);
         p.plus.t = vector::zero;
         p.plus.zp = rigid*p.minus.zp;
         p.plus.zs = rigid*max(p.minus.zs, VSMALL);
         p.area = M.geometry.cornerArea[k]*M.stretch[k];
-        p.touching =
-            law_->bonded()
-         || (
-                (M.n[k] & p.n) > 0.1
-             && gap[i] <= (closed_[i] ? openingGap : closingGap)*depth[k]
-            );
+
+        // Out of the body
+        p.n = -pose.r().transform(planes_[i].n);
+        p.gap = (X - planes_[i].x) & planes_[i].n;
+
+        // As its mirror image would: half of the gap, half of the approach
+        setTouching
+        (
+            p, (M.n[k] & p.n) > 0.1, closed_[i], 0.5*depth[k], 0.5*waveSpeed
+        );
     }
 
-    law_->solve(problems_);
+    solveProblems();
 
     forAll(planes_, i)
     {
         const label k = planes_[i].corner;
         const contactLaw::problem& p = problems_[i];
-        count(p, gap[i], width_[k], p.area, p.area);
-        const answerMessage told
-        (
-            answer(p, p.area, M.geometry.cornerArea[k], gap[i])
-        );
+        count(p, width_[k], p.area, p.area);
+        const answerMessage told(answer(p, p.area, M.geometry.cornerArea[k]));
         setState(side_, k, told, firstStage);
         if (p.result.state != acousticRiemann::status::open)
         {

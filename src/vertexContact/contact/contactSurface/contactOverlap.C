@@ -271,6 +271,21 @@ contactStencil stencil
 
 // * * * * * * * * * * * * * * * * Functions * * * * * * * * * * * * * * * * //
 
+bool Foam::contactOverlaps::commonNormal
+(
+    const vector& nMinus,
+    const vector& nPlus,
+    vector& n
+)
+{
+    n = nMinus - nPlus;
+    const scalar magN = mag(n);
+    const bool opposed = magN > 1;
+    n = opposed ? n/magN : nMinus/mag(nMinus);
+    return opposed;
+}
+
+
 Foam::contactStencil Foam::contactOverlaps::whole
 (
     const label corner,

@@ -15,7 +15,10 @@ Foam::obstacleMotion::obstacleMotion
     const Time& runTime
 )
 :
-    runTime_(runTime)
+    runTime_(runTime),
+    pose_(septernion::I),
+    before_(septernion::I),
+    after_(septernion::I)
 {
     if (dict.found("motion"))
     {
@@ -41,28 +44,22 @@ Foam::obstacleMotion::obstacleMotion
 }
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::septernion Foam::obstacleMotion::pose(const scalar time) const
+Foam::septernion Foam::obstacleMotion::poseAt(const scalar time)
 {
-    if (!moves())
-    {
-        return septernion::I;
-    }
     clock_->setTime(time, 0);
     return function_->transformation();
 }
 
 
-Foam::vector Foam::obstacleMotion::velocity
-(
-    const scalar time,
-    const point& x
-) const
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::obstacleMotion::setTime(const scalar time)
 {
     if (!moves())
     {
-        return vector::zero;
+        return;
     }
 
     // Not beyond the run, where a table may have no values
@@ -72,10 +69,22 @@ Foam::vector Foam::obstacleMotion::velocity
     const scalar to =
         min(time + 0.5*dt, max(time, runTime_.endTime().value()));
 
-    const point X(pose(time).invTransformPoint(x));
+    before_ = poseAt(from);
+    after_ = poseAt(to);
+    pose_ = poseAt(time);
+    interval_ = max(to - from, VSMALL);
+}
+
+
+Foam::vector Foam::obstacleMotion::velocity(const point& X) const
+{
     return
-        (pose(to).transformPoint(X) - pose(from).transformPoint(X))
-       /max(to - from, VSMALL);
+        moves()
+      ? vector
+        (
+            (after_.transformPoint(X) - before_.transformPoint(X))/interval_
+        )
+      : vector(vector::zero);
 }
 
 

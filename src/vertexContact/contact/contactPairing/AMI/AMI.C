@@ -8,8 +8,7 @@
 #include "contactSurface.H"
 #include "solidBody.H"
 #include "AMIPatchToPatchInterpolation.H"
-#include "indexedOctree.H"
-#include "treeDataPoint.H"
+#include "pointTree.H"
 #include "HashSet.H"
 #include "addToRunTimeSelectionTable.H"
 
@@ -122,20 +121,12 @@ Foam::scalar Foam::contactPairings::AMI::leastGap
     {
         pointField across(allTarget);
         for (point& p : across) p -= (p & direction)*direction;
-
-        treeBoundBox box(across);
-        const vector margin(vector::one*(1e-3*box.mag() + SMALL));
-        box.min() -= margin;
-        box.max() += margin;
-        const indexedOctree<treeDataPoint> tree
-        (
-            treeDataPoint(across), box, 12, 10, 3.0
-        );
+        const autoPtr<pointTree> tree(newPointTree(across, 0));
         for (const point& x : source)
         {
             const pointIndexHit hit
             (
-                tree.findNearest(x - (x & direction)*direction, sqr(GREAT))
+                tree->findNearest(x - (x & direction)*direction, sqr(GREAT))
             );
             gap = min(gap, (allTarget[hit.index()] - x) & direction);
         }
@@ -245,12 +236,12 @@ Foam::contactPairings::AMI::AMI
         for (const label slot : address[f])
         {
             const contactFace& b = opposite[slot];
-            const vector n(a.n - b.n);
-            if (mag(n) > 1)
+            vector n;
+            if (contactOverlaps::commonNormal(a.n, b.n, n))
             {
                 contactOverlaps::append
                 (
-                    a, b, n/mag(n), out, dual.nDim(), overlaps
+                    a, b, n, out, dual.nDim(), overlaps
                 );
             }
         }

@@ -7,8 +7,7 @@
 #include "matching.H"
 #include "solidBody.H"
 #include "globalIndex.H"
-#include "indexedOctree.H"
-#include "treeDataPoint.H"
+#include "pointTree.H"
 #include "HashSet.H"
 #include "addToRunTimeSelectionTable.H"
 
@@ -127,24 +126,13 @@ Foam::contactPairings::matching::matching
     DynamicList<label> corners, partners;
     if (allPlus.size() && placeMinus.size())
     {
-        treeBoundBox box(allPlus);
-        const vector margin
-        (
-            vector::one*(1e-3*box.mag() + max(sizeMinus) + SMALL)
-        );
-        box.min() -= margin;
-        box.max() += margin;
-        const indexedOctree<treeDataPoint> tree
-        (
-            treeDataPoint(allPlus), box, 12, 10, 3.0
-        );
-
+        const autoPtr<pointTree> tree(newPointTree(allPlus, max(sizeMinus)));
         forAll(placeMinus, k)
         {
             // Coincidence: within a percent of the size of the face
             const pointIndexHit hit
             (
-                tree.findNearest(placeMinus[k], sqr(1e-2*sizeMinus[k]))
+                tree->findNearest(placeMinus[k], sqr(1e-2*sizeMinus[k]))
             );
             if (hit.hit())
             {

@@ -8,8 +8,7 @@
 #include "contactSurface.H"
 #include "solidBody.H"
 #include "dictionaryCheck.H"
-#include "indexedOctree.H"
-#include "treeDataPoint.H"
+#include "pointTree.H"
 #include "PstreamBuffers.H"
 #include "ListListOps.H"
 #include "Time.H"
@@ -137,8 +136,7 @@ bool Foam::contactPairings::nearestFace::opposed
     {
         return false;
     }
-    n = a.n - b.n;
-    n /= mag(n);
+    contactOverlaps::commonNormal(a.n, b.n, n);
 
     const scalar depth = 0.5*(a.depth[0] + b.depth[0]);
     const scalar width = 0.5*(a.width + b.width);
@@ -287,14 +285,7 @@ void Foam::contactPairings::nearestFace::update(const scalar time)
                 centres[f] = others[f].centre();
                 radius = max(radius, others[f].radius());
             }
-            treeBoundBox box(centres);
-            const vector margin(vector::one*(1e-3*box.mag() + radius));
-            box.min() -= margin;
-            box.max() += margin;
-            const indexedOctree<treeDataPoint> tree
-            (
-                treeDataPoint(centres), box, 12, 10, 3.0
-            );
+            const autoPtr<pointTree> tree(newPointTree(centres, radius));
 
             const vector out(contactSurface::outOfPlane(minus_));
             const label nDim = minus_.body->dual().nDim();
@@ -302,7 +293,7 @@ void Foam::contactPairings::nearestFace::update(const scalar time)
             {
                 labelList found
                 (
-                    tree.findBox
+                    tree->findBox
                     (
                         treeBoundBox
                         (
