@@ -5,7 +5,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from caseTools import Scene
+from caseTools import Scene, checked
+from collisions import SCENES as COLLISIONS, collision
+from smallCases import largest
 
 LINE = Scene("similar", elements=128, control=(("writeInterval", 0.1),))
 PLANE = Scene("similar", elements=24, dimensions=2, across=12,
@@ -54,3 +56,22 @@ def test_parallel_is_serial(run, figures, scene, ranks):
                                 parallel.momentum[f"{bar}:px"],
                                 serial.momentum["bar1:px"][0])
                      for bar in ("bar1", "bar2")), 1e-10)
+
+
+@pytest.mark.parametrize("method", ("metis", "random"))
+@pytest.mark.parametrize("name", COLLISIONS)
+def test_collision(tmp_path, figures, name, method):
+    """Every field of three ranks is that of one."""
+    serial = collision(tmp_path/"serial", name).run()
+    parallel = collision(tmp_path/"parallel", name).runParallel(3, method)
+    last = serial.last
+    assert parallel.last == last
+    with figures(f"{name}, 3 ranks, {method}") as f:
+        for body in serial.bodies:
+            for file in sorted((serial.path/last/body.name).iterdir()):
+                if not file.is_file():
+                    continue
+                a, b = (case.at(file.name, region=body.name)
+                        for case in (serial, parallel))
+                f.atMost(f"{body.name} {file.name}: difference / largest",
+                         largest(a - b)/max(largest(a), 1e-12), 1e-10)

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from caseTools import Case, Scene, checked, timeFolders
+from collisions import SCENES as COLLISIONS, collision
 
 SCENES = {
     "1D": Scene("dissimilar", elements=64,
@@ -47,3 +48,49 @@ def test_restart_in_contact(run, tmp_path, figures, scene):
                 key for key in a if not np.array_equal(
                     a[key][late], b[key][np.isin(b["Time"], a["Time"])])]
             f.equal(f"{name}: columns that differ", differing, [])
+
+
+@pytest.mark.parametrize("ranks", (1, 2))
+@pytest.mark.parametrize("name", COLLISIONS)
+def test_restart_of_collision(tmp_path, figures, name, ranks):
+    """All files of the last time, bit by bit, after a restart in contact; in
+    parallel those of each rank."""
+    case = collision(tmp_path/"case", name)
+    run = ["vertexContactFoam"]
+    folders = ["."]
+    if ranks > 1:
+        case.decompose(ranks)
+        run = ["mpirun", "-np", str(ranks), *run, "-parallel"]
+        folders = [f"processor{i}" for i in range(ranks)]
+    checked(run, case.path)
+    assert case.contact("contact")["area"].max() > 0
+    times = timeFolders(case/folders[0])
+    expected = [contents(case/folder/times[-1]) for folder in folders]
+    energies = case.energies
+
+    # Continue from the middle of the contact
+    middle = times[len(times)//2]
+    area = case.contact("contact")["area"]
+    at = np.abs(case.contact("contact")["Time"] - float(middle)).argmin()
+    assert area[at] > 0
+    for folder in folders:
+        for time in times:
+            if float(time) > float(middle):
+                shutil.rmtree(case/folder/time)
+    checked(run, case.path)
+
+    found = [contents(case/folder/times[-1]) for folder in folders]
+    again = Case(case.path).energies
+    with figures(f"{name}, {ranks} ranks: restart at {middle} s") as f:
+        different = {str(file) for a, b in zip(expected, found)
+                     for file in a.keys() | b.keys()
+                     if a.get(file) != b.get(file)}
+        if ranks > 1:
+            # Sums over the ranks of what each has summed in time, one of
+            # which is continued from the sum of all: equal to round-off
+            different.discard("uniform/solidSystem")
+        f.equal("files that differ", sorted(different), [])
+        f.atMost("largest difference of the last energies / initial", max(
+            abs(energies[key][-1] - again[key][-1]) for key in energies)
+            / energies["total:kinetic"][0], 0 if ranks == 1 else 1e-14)
+        f.atLeast("files compared", len(expected[0]), 8)

@@ -52,6 +52,16 @@ def force(contents):
     return action
 
 
+def plastic(hardening):
+    """Bar 1 of a plastic material."""
+    def action(case):
+        (case/material).write_text(
+            "FoamFile { version 2.0; format ascii; class dictionary; "
+            "object mechanicalProperties; }\ntype HenckyVonMises; "
+            f"rho 1; E 1; nu 0; {hardening}\n")
+    return action
+
+
 PLANE = ("type plane; planeType pointAndNormal; "
          "pointAndNormalDict { point (30 0 0); normal (-1 0 0); }")
 
@@ -169,6 +179,32 @@ CASES = {
         obstacle(PLANE, side="(bar1 rihgt)"), ("contactProperties", "rihgt")),
     "side without an obstacle": (
         obstacle(None), ("contactProperties", "obstacle")),
+    "no yield stress": (
+        plastic("Hardening 1;"), ("mechanicalProperties", "tauY",
+                                  "hardeningCurve", "JohnsonCook")),
+    "two yield stresses": (
+        plastic("tauY 1; hardeningCurve constant 1;"),
+        ("mechanicalProperties", "tauY", "exactly one")),
+    "negative yield stress": (
+        plastic("tauY -3;"), ("mechanicalProperties", "tauY", "-3")),
+    "misspelt hardening": (
+        plastic("tauY 1; hardening 0;"),
+        ("mechanicalProperties", "hardening", "Hardening")),
+    "Hardening beside a curve": (
+        plastic("hardeningCurve table ((0 1) (1 2)); Hardening 1;"),
+        ("mechanicalProperties", "Hardening", "tauY")),
+    "falling hardening curve": (
+        plastic("hardeningCurve table ((0 2) (1 1.5));"),
+        ("mechanicalProperties", "hardeningCurve", "1.5")),
+    "hardening curve that begins late": (
+        plastic("hardeningCurve table ((0.1 1) (1 2));"),
+        ("mechanicalProperties", "hardeningCurve", "0.1")),
+    "keyword of Johnson and Cook": (
+        plastic("JohnsonCook { A 1; B 1; n 1; C 0; m 1; }"),
+        ("mechanicalProperties", "JohnsonCook", "m")),
+    "Johnson and Cook without A": (
+        plastic("JohnsonCook { B 1; n 1; C 0; }"),
+        ("mechanicalProperties", "JohnsonCook", "A")),
     "dimensions of the velocity": (
         replace(velocity, r"\[0 1 -1 0 0 0 0\]", "[0 1 0 0 0 0 0]"),
         ("pointU", "dimensions")),

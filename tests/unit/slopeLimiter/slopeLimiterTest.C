@@ -23,7 +23,7 @@ using slopeLimiter::Venkatakrishnan;
 namespace
 {
 
-typedef scalar limiter(scalar, scalar);
+typedef scalar limiter(const scalar&, const scalar&);
 limiter* const limiters[] = {&BarthJespersen, &Venkatakrishnan};
 
 } // End anonymous namespace
@@ -135,12 +135,12 @@ TEST_CASE("Venkatakrishnan is the smooth form", "[slopeLimiter][serial]")
     {
         CHECK
         (
-            Venkatakrishnan(1, y)
+            Venkatakrishnan(1.0, y)
          == Approx((y*y + 2*y)/(y*y + y + 2)).epsilon(1e-14)
         );
-        CHECK(Venkatakrishnan(1, y) <= BarthJespersen(1, y)*(1 + 1e-14));
+        CHECK(Venkatakrishnan(1.0, y) <= BarthJespersen(1.0, y)*(1 + 1e-14));
     }
-    CHECK(Venkatakrishnan(1, 5) == 1);
+    CHECK(Venkatakrishnan(1.0, 5.0) == 1);
 }
 
 
@@ -172,12 +172,12 @@ TEST_CASE("No arithmetic error at the extremes", "[slopeLimiter][serial]")
 
 TEST_CASE("limited() chooses the limiter", "[slopeLimiter][serial]")
 {
-    CHECK(slopeLimiter::limited<limiterType::none>(3, 1) == 3);
-    CHECK(slopeLimiter::limited<limiterType::BarthJespersen>(3, 1) == 1);
+    CHECK(slopeLimiter::limited<limiterType::none>(3.0, 1.0) == 3);
+    CHECK(slopeLimiter::limited<limiterType::BarthJespersen>(3.0, 1.0) == 1);
     CHECK
     (
-        slopeLimiter::limited<limiterType::Venkatakrishnan>(3, 1)
-     == Venkatakrishnan(3, 1)
+        slopeLimiter::limited<limiterType::Venkatakrishnan>(3.0, 1.0)
+     == Venkatakrishnan(3.0, 1.0)
     );
 }
 

@@ -109,11 +109,26 @@ void Foam::contactInterface::setTouching
         bonded
      || (opposed && p.gap <= (closed ? openingGap : closingGap)*depth);
 
-    // Deeper penetrations do not close faster
-    p.closing =
-        p.touching && !bonded && p.gap < 0
-      ? closingRate*waveSpeed*min(-p.gap/depth, scalar(0.1))
-      : 0;
+    p.closing = 0;
+    if (p.touching && !bonded && p.gap < 0)
+    {
+        using namespace acousticRiemann;
+
+        // Strain of the boundary cells under the pressure that there is, sum
+        // of both sides
+        const scalar pressure = -stickTraction
+        (
+            p.minus.zp, normal(p.minus.v, p.n), normal(p.minus.t, p.n),
+            p.plus.zp, normal(p.plus.v, p.n), normal(p.plus.t, p.n)
+        );
+        const scalar perZ = 1/p.minus.zp + 1/p.plus.zp;
+        const scalar strain = max(pressure, scalar(0))*perZ/waveSpeed;
+
+        // Relative penetration less the shift of the cells' means
+        const scalar beyond = -p.gap/depth - 0.25*strain;
+        p.closing =
+            closingRate*waveSpeed*min(max(beyond, scalar(0)), scalar(0.1));
+    }
 }
 
 

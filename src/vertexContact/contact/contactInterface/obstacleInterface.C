@@ -108,6 +108,9 @@ Foam::obstacleInterface::obstacleInterface
     }
     reduce(leastWidth_, minOp<scalar>());
 
+    // A hundredth of the time that a wave takes through a face
+    motion_.setInterval(0.01*leastWidth_/side_.body->material().cp());
+
     update(side_.body->mesh().time().value());
 }
 

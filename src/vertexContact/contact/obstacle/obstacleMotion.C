@@ -15,7 +15,7 @@ Foam::obstacleMotion::obstacleMotion
     const Time& runTime
 )
 :
-    runTime_(runTime),
+    start_(runTime.controlDict().getOrDefault<scalar>("startTime", 0)),
     pose_(septernion::I),
     before_(septernion::I),
     after_(septernion::I)
@@ -62,17 +62,12 @@ void Foam::obstacleMotion::setTime(const scalar time)
         return;
     }
 
-    // Not beyond the run, where a table may have no values
-    const scalar dt = runTime_.deltaTValue();
-    const scalar from =
-        max(time - 0.5*dt, min(time, runTime_.startTime().value()));
-    const scalar to =
-        min(time + 0.5*dt, max(time, runTime_.endTime().value()));
-
-    before_ = poseAt(from);
-    after_ = poseAt(to);
+    // Not before the start nor beyond the end, where a table may have no
+    // values; and nothing that depends on where a run was continued
+    const bool first = time - interval_ < start_;
     pose_ = poseAt(time);
-    interval_ = max(to - from, VSMALL);
+    before_ = first ? pose_ : poseAt(time - interval_);
+    after_ = first ? poseAt(time + interval_) : pose_;
 }
 
 

@@ -355,12 +355,10 @@ void Foam::HenckyVonMises::stress
 {
     withHardening([&](const auto& h)
     {
-        switch (s.nDim)
+        withDirections(s.nDim, [&](auto D)
         {
-            case 1: stressLoop<1>(h, s, P, SigmaJ, stride); break;
-            case 2: stressLoop<2>(h, s, P, SigmaJ, stride); break;
-            default: stressLoop<3>(h, s, P, SigmaJ, stride); break;
-        }
+            stressLoop<D.value>(h, s, P, SigmaJ, stride);
+        });
     });
 }
 
@@ -373,10 +371,10 @@ Foam::scalar Foam::HenckyVonMises::commit
 {
     return withHardening([&](const auto& h)
     {
-        return
-            s.nDim == 1 ? commitLoop<1>(h, s, weight)
-          : s.nDim == 2 ? commitLoop<2>(h, s, weight)
-          : commitLoop<3>(h, s, weight);
+        return withDirections(s.nDim, [&](auto D)
+        {
+            return commitLoop<D.value>(h, s, weight);
+        });
     });
 }
 
@@ -387,10 +385,10 @@ Foam::scalar Foam::HenckyVonMises::strainEnergy
     const label node
 ) const
 {
-    return
-        s.nDim == 1 ? energyOfDim<1>(s, node)
-      : s.nDim == 2 ? energyOfDim<2>(s, node)
-      : energyOfDim<3>(s, node);
+    return withDirections(s.nDim, [&](auto D)
+    {
+        return energyOfDim<D.value>(s, node);
+    });
 }
 
 
@@ -400,10 +398,10 @@ Foam::tensor Foam::HenckyVonMises::CauchyStress
     const label node
 ) const
 {
-    return
-        s.nDim == 1 ? CauchyOfDim<1>(s, node)
-      : s.nDim == 2 ? CauchyOfDim<2>(s, node)
-      : CauchyOfDim<3>(s, node);
+    return withDirections(s.nDim, [&](auto D)
+    {
+        return CauchyOfDim<D.value>(s, node);
+    });
 }
 
 

@@ -1,0 +1,65 @@
+#!/usr/bin/env python3
+"""What plasticity costs: time per node and step of a block of tetrahedra, by
+that of a neo-Hookean one, where no node yields and where every node does.
+
+    . etc/bashrc; tests/benchmark/plasticity.py [CELLS [STEPS]]
+
+The block (CELLS^3 hexahedra, default 24, as tetrahedra; one core) is stretched
+at a constant rate. Each material runs three times and the fastest counts, less
+a run of no steps.
+"""
+
+import re
+import sys
+import tempfile
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent/"verification"))
+
+import numpy as np
+
+from caseTools import checked
+from smallCases import Body, SmallCase
+
+ELASTIC = {"rho": 1, "E": 1, "nu": 0.3}
+MATERIALS = {
+    "neoHookean": {"type": "neoHookean", **ELASTIC},
+    "plastic, elastic so far": {"type": "HenckyVonMises", "tauY": 1e3,
+                                **ELASTIC},
+    "plastic, every node yields": {"type": "HenckyVonMises", "tauY": 1e-9,
+                                   "Hardening": 0.1, **ELASTIC}}
+RATE = np.diag((0.1, -0.05, -0.05))
+
+
+def seconds(folder, material, cells, steps):
+    body = Body(cells=(cells,)*3, material=material,
+                velocity=lambda X: (X - 0.5) @ RATE)
+    deltaT = 0.02/cells
+    case = SmallCase(folder, body, steps*deltaT, control={
+        "deltaT": deltaT, "adjustTimeStep": "no", "functions": {}})
+    log = checked(["vertexContactFoam"], case.path)
+    if material["type"] == "HenckyVonMises":
+        yielded = np.mean(case.at("epsilonPEq") > 0)
+        assert yielded == (material["tauY"] < 1), yielded
+    return float(re.findall(r"ExecutionTime = ([0-9.]+)", log)[-1])
+
+
+def main(cells=24, steps=100):
+    cells, steps = int(cells), int(steps)
+    nodes = (cells + 1)**3
+    times = {}
+    with tempfile.TemporaryDirectory() as folder:
+        for name, material in MATERIALS.items():
+            def least(n, name=name, material=material):
+                return min(seconds(Path(folder)/f"{name}{n}{i}", material,
+                                   cells, n) for i in range(3))
+            # A run of one step has the set-up
+            times[name] = (least(steps) - least(1))/(steps - 1)
+    reference = times["neoHookean"]
+    print("material,microseconds per node and step,by neo-Hookean")
+    for name, time in times.items():
+        print(f'"{name}",{1e6*time/nodes:.3f},{time/reference:.3f}')
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
