@@ -14,7 +14,8 @@ import sys
 import tempfile
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parent.parent/"verification"))
+root = Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(root/"tests"/"verification"), str(root/"tutorials")]
 
 import numpy as np
 
@@ -51,7 +52,7 @@ def main(cells=24, steps=100):
     with tempfile.TemporaryDirectory() as folder:
         for name, material in MATERIALS.items():
             def least(n, name=name, material=material):
-                return min(seconds(Path(folder)/f"{name}{n}{i}", material,
+                return min(seconds(Path(folder)/f"{len(times)}-{n}-{i}", material,
                                    cells, n) for i in range(3))
             # A run of one step has the set-up
             times[name] = (least(steps) - least(1))/(steps - 1)

@@ -2,11 +2,32 @@
 
 import numpy as np
 import pytest
+import pyvista
 
 from caseTools import Tutorial
 from smallCases import largest
 
 SCENE = Tutorial("taylorBar", mesh="4")
+
+
+def meshEdges(case):
+    """Pairs of points."""
+    reader = pyvista.OpenFOAMReader(str(case/"system"/"controlDict"))
+    reader.disable_all_point_arrays()
+    reader.set_active_time_value(reader.time_values[-1])
+    mesh = reader.read()[0]["internalMesh"]
+    assert np.allclose(mesh.points, case.points("rod"), atol=1e-7)
+    lines = mesh.extract_all_edges(use_all_points=True).lines
+    return lines.reshape(-1, 3)[:, 1:]
+
+
+def checkerboard(p, edges):
+    """|p - mean over the neighbours| / |p - mean over all|."""
+    total, count = np.zeros_like(p), np.zeros_like(p)
+    for here, there in ((0, 1), (1, 0)):
+        np.add.at(total, edges[:, here], p[edges[:, there]])
+        np.add.at(count, edges[:, here], 1)
+    return np.linalg.norm(p - total/count)/np.linalg.norm(p - p.mean())
 
 
 @pytest.mark.scenes(SCENE)
@@ -32,5 +53,9 @@ def test_taylor_bar(run, figures):
                   np.diff(plastic).min(), 0)
         f.atMost("balance residual / initial energy",
                  largest(E["rod:balance"])/E0, 1e-3)
+        edges = meshEdges(case)
+        f.atMost("checkerboard, largest of all times", max(
+            checkerboard(case.field(time, "rod", "pressure")[:, 0], edges)
+            for time in case.times if float(time) > 0), 0.15)
         f.atMost("largest penetration / face",
                  case.contact("wall")["relativePenetration"].max(), 0.05)
