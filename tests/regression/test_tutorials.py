@@ -16,7 +16,7 @@ def settings(tutorial):
     name = tutorial.split("/")[0]
     return {"MESH": {"twoBarImpact": "32", "spinningCube": "2",
                      "twistingColumn": "2", "nonMatchingBars": "1",
-                     "torusImpact": "3", "hertzContact": "3",
+                     "torusImpact": "2", "hertzContact": "2",
                      "taylorBar": "2"}.get(name, "4")}
 
 

@@ -97,7 +97,8 @@ bool Foam::functionObjects::contactForces::write()
                 os  << ' ' << v.x() << ' ' << v.y() << ' ' << v.z();
             }
             os  << ' ' << area << ' ' << peak << ' ' << deepest
-                << ' ' << relative << ' ' << nOpen << ' ' << nStick << ' ' << nSlip << endl;
+                << ' ' << relative << ' ' << nOpen << ' ' << nStick << ' '
+                << nSlip << endl;
         }
     }
 

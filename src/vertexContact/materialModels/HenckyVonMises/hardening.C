@@ -67,7 +67,8 @@ Foam::hardening::table::table(const dictionary& dict)
         );
         dictionaryCheck::require
         (
-            i == 0 || (stresses[i] >= stresses[i-1] && strains[i] > strains[i-1]),
+            i == 0
+         || (stresses[i] >= stresses[i-1] && strains[i] > strains[i-1]),
             dict, "hardeningCurve", stresses[i],
             "a curve that does not fall"
         );
