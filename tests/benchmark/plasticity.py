@@ -6,7 +6,7 @@ that of a neo-Hookean one, where no node yields and where every node does.
 
 The block (CELLS^3 hexahedra, default 24, as tetrahedra; one core) is stretched
 at a constant rate. Each material runs three times and the fastest counts, less
-a run of no steps.
+a run of one step, which has the set-up.
 """
 
 import re
@@ -51,10 +51,9 @@ def main(cells=24, steps=100):
     times = {}
     with tempfile.TemporaryDirectory() as folder:
         for name, material in MATERIALS.items():
-            def least(n, name=name, material=material):
-                return min(seconds(Path(folder)/f"{len(times)}-{n}-{i}", material,
-                                   cells, n) for i in range(3))
-            # A run of one step has the set-up
+            def least(n, stem=Path(folder)/str(len(times)), law=material):
+                return min(seconds(f"{stem}-{n}-{i}", law, cells, n)
+                           for i in range(3))
             times[name] = (least(steps) - least(1))/(steps - 1)
     reference = times["neoHookean"]
     print("material,microseconds per node and step,by neo-Hookean")

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from caseTools import Scene, checked
+from caseTools import Scene
 from collisions import SCENES as COLLISIONS, collision
 from smallCases import largest
 

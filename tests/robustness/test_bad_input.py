@@ -43,23 +43,21 @@ def remove(file):
     return action
 
 
+def rewrite(file, contents):
+    return lambda case: (case/file).write_text(
+        "FoamFile { version 2.0; format ascii; class dictionary; "
+        f"object {file.split('/')[-1]}; }}\n{contents}\n")
+
+
 def force(contents):
     """A body force of bar 1."""
-    def action(case):
-        (case/"constant/bar1/bodyForces").write_text(
-            "FoamFile { version 2.0; format ascii; class dictionary; "
-            f"object bodyForces; }}\n{contents}\n")
-    return action
+    return rewrite("constant/bar1/bodyForces", contents)
 
 
 def plastic(hardening):
     """Bar 1 of a plastic material."""
-    def action(case):
-        (case/material).write_text(
-            "FoamFile { version 2.0; format ascii; class dictionary; "
-            "object mechanicalProperties; }\ntype HenckyVonMises; "
-            f"rho 1; E 1; nu 0; {hardening}\n")
-    return action
+    return rewrite(material, f"type HenckyVonMises; rho 1; E 1; nu 0; "
+                             f"{hardening}")
 
 
 PLANE = ("type plane; planeType pointAndNormal; "

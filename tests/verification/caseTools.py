@@ -226,3 +226,13 @@ def relativeL1(times, values, exact):
     times = np.asarray(times)
     return (np.trapezoid(np.abs(values - exact), times)
             / np.trapezoid(np.abs(exact), times))
+
+
+def checkerboard(p, edges):
+    """|p - mean over the neighbours| / |p - mean over all|, of nodal values
+    and pairs of neighbours."""
+    total, count = np.zeros_like(p), np.zeros_like(p)
+    for here, there in ((0, 1), (1, 0)):
+        np.add.at(total, edges[:, here], p[edges[:, there]])
+        np.add.at(count, edges[:, here], 1)
+    return np.linalg.norm(p - total/count)/np.linalg.norm(p - p.mean())

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import pyvista
 
-from caseTools import Tutorial
+from caseTools import Tutorial, checkerboard
 from smallCases import largest
 
 SCENE = Tutorial("taylorBar", mesh="4")
@@ -19,15 +19,6 @@ def meshEdges(case):
     assert np.allclose(mesh.points, case.points("rod"), atol=1e-7)
     lines = mesh.extract_all_edges(use_all_points=True).lines
     return lines.reshape(-1, 3)[:, 1:]
-
-
-def checkerboard(p, edges):
-    """|p - mean over the neighbours| / |p - mean over all|."""
-    total, count = np.zeros_like(p), np.zeros_like(p)
-    for here, there in ((0, 1), (1, 0)):
-        np.add.at(total, edges[:, here], p[edges[:, there]])
-        np.add.at(count, edges[:, here], 1)
-    return np.linalg.norm(p - total/count)/np.linalg.norm(p - p.mean())
 
 
 @pytest.mark.scenes(SCENE)

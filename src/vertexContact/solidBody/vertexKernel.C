@@ -21,12 +21,10 @@ extern template autoPtr<vertexKernel> newVertexKernel<3>(const vertexData&);
 
 Foam::autoPtr<Foam::vertexKernel> Foam::vertexKernel::New(const vertexData& d)
 {
-    switch (d.nDim())
+    return withDirections(d.nDim(), [&](auto D)
     {
-        case 1: return newVertexKernel<1>(d);
-        case 2: return newVertexKernel<2>(d);
-        default: return newVertexKernel<3>(d);
-    }
+        return newVertexKernel<D.value>(d);
+    });
 }
 
 

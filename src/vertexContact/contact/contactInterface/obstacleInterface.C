@@ -60,16 +60,11 @@ Foam::obstacleInterface::readSurface
 
 Foam::scalar Foam::obstacleInterface::obstacleMoved() const
 {
-    const boundBox box(sideMotion_.box());
     scalar moved = 0;
-    if (box.min().x() <= box.max().x())
+    for (const point& x : reach_)
     {
-        const tmp<pointField> corners(box.points());
-        for (const point& x : corners())
-        {
-            const point X(oldPose_.invTransformPoint(x));
-            moved = max(moved, mag(motion_.pose().transformPoint(X) - x));
-        }
+        const point X(oldPose_.invTransformPoint(x));
+        moved = max(moved, mag(motion_.pose().transformPoint(X) - x));
     }
     return moved;
 }
@@ -208,6 +203,14 @@ void Foam::obstacleInterface::update(const scalar time)
         nearest > leastWidth_
       ? 0.5*(nearest - leastWidth_) + 0.4*leastWidth_
       : 0.1*leastWidth_;
+    boundBox box(sideMotion_.box());
+    reach_.clear();
+    if (motion_.moves() && box.min().x() <= box.max().x())
+    {
+        box.min() -= allowed_*vector::one;
+        box.max() += allowed_*vector::one;
+        reach_ = box.points();
+    }
     sideMotion_.start
     (
         time,

@@ -129,6 +129,21 @@ Foam::vector Foam::contactSurface::areaNormal
 }
 
 
+Foam::scalar Foam::contactSurface::meanEdge
+(
+    const FixedList<point, 4>& x,
+    const label size
+)
+{
+    scalar around = 0;
+    for (label i = 0; i < size; ++i)
+    {
+        around += mag(x[(i + 1) % size] - x[i]);
+    }
+    return around/size;
+}
+
+
 Foam::contactFaceList Foam::contactSurface::faces
 (
     const contactSide& side,
@@ -153,7 +168,6 @@ Foam::contactFaceList Foam::contactSurface::faces
 
         const scalar* s = patch.weights.cdata() + patch.weightStart[facei];
         vector mean(Zero);
-        scalar area = 0;
         for (label j = 0; j < f.size; ++j)
         {
             const label k = start + j;
@@ -166,7 +180,6 @@ Foam::contactFaceList Foam::contactSurface::faces
             f.area[j] = patch.cornerArea[k];
             f.depth[j] = depth[k];
             mean += body.expand(patch.cornerNormal.cdata() + k*d);
-            area += patch.cornerArea[k];
         }
         f.spread = spread(s, f.size, f.area);
         if (f.size == 4)
@@ -187,7 +200,7 @@ Foam::contactFaceList Foam::contactSurface::faces
             );
         }
         f.N = mean/mag(mean);
-        f.width = d == 3 ? std::sqrt(area) : d == 2 ? area : f.depth[0];
+        f.width = f.size > 1 ? meanEdge(f.X, f.size) : f.depth[0];
 
         // The same turn from reference to current nodes
         const vector A(areaNormal(f.X, f.size, out));
