@@ -54,10 +54,8 @@ def checkImpact(f, scene, run, peak, time, back):
              time)
     f.atLeast("speed away / towards", rebound(case), back)
     f.atMost("largest rise of the total energy / initial", rise(total), 1e-10)
-    # Spheres, whose meshes do not match: without the closing speed of
-    # penetrations (contactInterface) 32 (3 elements) and 26 % (Mesh I)
     f.atMost("largest penetration / face",
-             contact["relativePenetration"].max(), 0.07 if spheres else 0.05)
+             contact["relativePenetration"].max(), 0.05)
     f.atMost("residual of the energy balance / initial",
              np.abs(case.energies["total:balance"]).max()/total[0], 5e-4)
 

@@ -28,14 +28,13 @@ def difference(case, half, point, field, end):
                          ids=("self", "nonMatching"))
 def test_half(run, figures, scene):
     """The same but for what a rigid plane at the nodes and overlaps of faces
-    make of it. Until the tips touch again at 10.7 ms, then in all: the times
-    of that differ by 0.15 ms."""
+    make of it: the tips bounce off each other some ten times."""
     case, half = run(scene), run(HALF)
     with figures(f"Self-contact, {dict(scene.options)['SCENE']}, and half"
                  ) as f:
-        for end, tip, middle in (0.01, 0.05, 0.02), (0.02, 0.1, 0.08):
-            for point, tolerance in ("pointA", tip), ("pointB", middle):
-                for field in "pointU", "pointD":
+        for field, tolerance in ("pointU", 0.08), ("pointD", 0.02):
+            for point in "pointA", "pointB":
+                for end in 0.01, 0.02:
                     f.atMost(f"{point}, {field} until {1e3*end:g} ms: "
                              "difference, relative L1",
                              difference(case, half, point, field, end),
@@ -59,27 +58,25 @@ def test_contact(run, figures, scene):
     contact, total = case.contact("legs"), case.totalEnergy
     touching, momentum = contact["area"] > 0, case.momentum
     with figures(f"Self-contact, {dict(scene.options)['SCENE']}") as f:
-        f.within("first contact [ms]", 1e3*contact["Time"][touching][0], 2,
-                 0.1)
-        # Not in contact, but before: from 0.9 to 2.03 ms, while the legs turn,
-        # the numerical dissipation of the body is negative (6e-4 to 7.5e-4
-        # here, 1.1e-4 on Mesh II). Energy never exceeds the initial one
+        f.within("first contact [ms]", 1e3*contact["Time"][touching][0],
+                 2.5, 0.1)
+        # Not in contact, but before: from 0.9 to 2.5 ms, while the legs turn,
+        # the numerical dissipation of the body is negative (1.0e-3 to 1.3e-3
+        # here, 1.4e-4 on Mesh II). Energy never exceeds the initial one
         f.atMost("largest rise of the total energy / initial", rise(total),
-                 1e-3)
+                 2e-3)
         f.atMost("largest total energy / initial - 1",
                  total.max()/total[0] - 1, 1e-10)
-        E = total[case.energies["Time"] > 0.0021]
-        f.atMost("largest rise from 2.1 ms on / initial", rise(E)*E[0]/total[0],
+        E = total[case.energies["Time"] > 0.0026]
+        f.atMost("largest rise from 2.6 ms on / initial", rise(E)*E[0]/total[0],
                  1e-10)
-        # 1.4 % (half), 5.0 and 5.7 % measured
         f.atMost("largest penetration / face",
-                 contact["relativePenetration"].max(),
-                 0.05 if scene == HALF else 0.06)
+                 contact["relativePenetration"].max(), 0.05)
         f.atMost("residual of the energy balance / initial",
                  np.abs(case.energies["total:balance"]).max()/total[0], 4e-3)
         if scene != HALF:
-            # A leg: 4 mm x 40 mm at 1 m/s on average
+            # A leg: 4 mm x 40 mm at 0.8 m/s on average
             f.atMost("change of momentum / a leg's", max(
                 np.abs(momentum[f"total:p{c}"]
                        - momentum[f"total:p{c}"][0]).max()
-                for c in "xy")/0.16, 1e-12)
+                for c in "xy")/0.128, 1e-12)
