@@ -27,6 +27,7 @@ Usage
 #include "argList.H"
 #include "Time.H"
 #include "solidSystem.H"
+#include "writtenTimes.H"
 
 using namespace Foam;
 
@@ -40,6 +41,7 @@ int main(int argc, char *argv[])
     );
 
     #include "setRootCase.H"
+    writtenTimes::setAsideIncomplete(args);
     #include "createTime.H"
 
     solidSystem solids(runTime);
@@ -55,11 +57,7 @@ int main(int argc, char *argv[])
         solids.finishStep();
         solids.log();
 
-        if (runTime.writeTime())
-        {
-            solids.writeAll();
-        }
-        runTime.write();
+        solids.write();
     }
 
     solids.reportCost(Info);

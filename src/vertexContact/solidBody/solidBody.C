@@ -658,21 +658,26 @@ Foam::scalar Foam::solidBody::timeScale()
         return constantTimeScale_;
     }
 
-    const scalar* V = dual_.nodeVolume().cdata();
     scalar shortest = GREAT;
     for (label a = 0; a < dual_.nNodes(); ++a)
     {
-        shortest = min
-        (
-            shortest,
-            2*V[a]/(data_.cp*(data_.waveSum[a] + boundaryArea_[a]))
-        );
+        shortest = min(shortest, timeScaleOf(a));
     }
 
     waveSumIsConstant_ = !data_.finiteStrain;
     constantTimeScale_ = shortest;
 
     return shortest;
+}
+
+
+Foam::label Foam::solidBody::findNodeWithin(const scalar timeScale) const
+{
+    for (label a = 0; a < dual_.nNodes(); ++a)
+    {
+        if (timeScaleOf(a) <= timeScale) return a;
+    }
+    return -1;
 }
 
 

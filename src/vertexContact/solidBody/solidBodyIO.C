@@ -6,6 +6,7 @@
 
 #include "solidBody.H"
 #include "fileError.H"
+#include "writtenTimes.H"
 #include "Time.H"
 #include "pointFields.H"
 
@@ -88,6 +89,7 @@ void Foam::solidBody::writeField
         points[i] = values[dual_.pointNode()[i]];
     }
     field.write();
+    writtenTimes::check(field);
 }
 
 
@@ -339,6 +341,7 @@ void Foam::solidBody::write()
         }
         pointU_.instance() = time_.timeName();
         pointU_.write();
+        writtenTimes::check(pointU_);
     }
 
     writeField<vector>

@@ -7,6 +7,7 @@
 #include "solidSystem.H"
 #include "dictionaryCheck.H"
 #include "fileError.H"
+#include "writtenTimes.H"
 #include "uniformDimensionedFields.H"
 #include "IOdictionary.H"
 #include <chrono>
@@ -180,10 +181,12 @@ void Foam::solidSystem::advance(const scalar deltaT, const int stage)
         contact.accumulate(0.5*deltaT);
     }
 
-    // Whether a pairing is outdated shares the reduction
+    // Outdated pairings and signals share the reduction
     bool outdated = false;
+    label asked = 0;
     if (stage == 1)
     {
+        asked = signals_.take();
         for (contactInterface& contact : interfaces_)
         {
             outdated =
@@ -191,15 +194,16 @@ void Foam::solidSystem::advance(const scalar deltaT, const int stage)
              || (contact.moves() && contact.outdated(runTime_.value()));
         }
     }
-    const vector2D wrong
+    const vector all
     (
-        returnReduce(vector2D(nBad, outdated), sumOp<vector2D>())
+        returnReduce(vector(nBad, outdated, asked), sumOp<vector>())
     );
-    if (wrong.x() > 0)
+    if (all.x() > 0)
     {
         stopOnBadState();
     }
-    pairAgain_ = pairAgain_ || wrong.y() > 0;
+    pairAgain_ = pairAgain_ || all.y() > 0;
+    asked_ += label(all.z());
 
     if (stage == 1)
     {
@@ -245,13 +249,13 @@ Foam::scalar Foam::solidSystem::fitToWriteTimes(const scalar deltaT) const
 }
 
 
-void Foam::solidSystem::stopOnBadState()
+template<class Find>
+Foam::string Foam::solidSystem::describe(const Find& find) const
 {
-    // Say where, before the state is put back
     string what;
     for (const solidBody& body : bodies_)
     {
-        const label node = body.findBadNode();
+        const label node = find(body);
         if (node >= 0)
         {
             OStringStream os;
@@ -270,10 +274,51 @@ void Foam::solidSystem::stopOnBadState()
     {
         if (s.size())
         {
-            what = s;
-            break;
+            return s;
         }
     }
+    return what;
+}
+
+
+void Foam::solidSystem::checkTimeStep()
+{
+    if (leastTimeStep_ == 0)
+    {
+        leastTimeStep_ =
+            runTime_.controlDict().getOrDefault<scalar>
+            (
+                "minDeltaT", 1e-6*timeStepLimit_
+            );
+    }
+    if (timeStepLimit_ >= leastTimeStep_)
+    {
+        return;
+    }
+    const string what = describe
+    (
+        [&](const solidBody& b) { return b.findNodeWithin(timeStepLimit_); }
+    );
+    if (runTime_.value() != startOfRun_)
+    {
+        runTime_.writeNow();
+    }
+    FatalErrorInFunction
+        << "The stable time step has fallen to " << timeStepLimit_
+        << " s, below " << leastTimeStep_ << " s (minDeltaT): "
+        << what.c_str() << ", at time " << runTime_.value() << " s." << nl
+        << "Likely cures: cells that are less distorted there, or a material "
+        << "that is meant for such deformations." << exit(FatalError);
+}
+
+
+void Foam::solidSystem::stopOnBadState()
+{
+    // Say where, before the state is put back
+    const string what = describe
+    (
+        [](const solidBody& body) { return body.findBadNode(); }
+    );
 
     const scalar badTime = runTime_.value();
     forAll(bodies_, i)
@@ -295,7 +340,8 @@ void Foam::solidSystem::stopOnBadState()
     string written("Nothing was written: this was the first step.");
     if (startOfStep_ != startOfRun_)
     {
-        writeAll();
+        runTime_.writeNow();
+        writtenTimes::check(*this);
         written =
             "The state at the start of this step was written to time "
           + runTime_.timeName() + '.';
@@ -310,6 +356,36 @@ void Foam::solidSystem::stopOnBadState()
 }
 
 
+const Foam::dictionary& Foam::solidSystem::interfaceDicts() const
+{
+    const dictionary& dict = contactProperties_();
+    dictionaryCheck::onlyKeywords(dict, wordList({"interfaces"}));
+    const dictionary& list = dict.subDict("interfaces");
+    for (const entry& e : list)
+    {
+        if (!e.isDict())
+        {
+            FatalIOErrorInFunction(list)
+                << "Keyword '" << e.keyword()
+                << "' is not a dictionary: an interface is"
+                << exit(FatalIOError);
+        }
+    }
+    return list;
+}
+
+
+void Foam::solidSystem::readLaws()
+{
+    const dictionary& list = interfaceDicts();
+    for (contactInterface& contact : interfaces_)
+    {
+        contact.readLaw(list.subDict(contact.name()));
+    }
+    contactProperties_->changed = false;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::solidSystem::solidSystem(Time& runTime)
@@ -319,12 +395,13 @@ Foam::solidSystem::solidSystem(Time& runTime)
         IOobject
         (
             "solidSystem", runTime.timeName(), "uniform", runTime,
-            IOobject::NO_READ, IOobject::NO_WRITE
+            IOobject::NO_READ, IOobject::AUTO_WRITE
         )
     ),
     runTime_(runTime)
 {
     checkControls();
+    const dictionary record(readRecord());
 
     const wordList regions(regionNames(runTime));
     bodies_.setSize(regions.size());
@@ -336,24 +413,16 @@ Foam::solidSystem::solidSystem(Time& runTime)
     IOobject contactIO
     (
         "contactProperties", runTime.constant(), runTime,
-        IOobject::MUST_READ, IOobject::NO_WRITE, false
+        IOobject::MUST_READ_IF_MODIFIED, IOobject::NO_WRITE
     );
     if (contactIO.typeHeaderOk<IOdictionary>(true))
     {
-        const IOdictionary dict(contactIO);
-        dictionaryCheck::onlyKeywords(dict, wordList({"interfaces"}));
-        const dictionary& list = dict.subDict("interfaces");
+        contactProperties_.reset(new watchedDictionary(contactIO));
+        const dictionary& list = interfaceDicts();
         label n = 0;
         interfaces_.setSize(list.size());
         for (const entry& e : list)
         {
-            if (!e.isDict())
-            {
-                FatalIOErrorInFunction(list)
-                    << "Keyword '" << e.keyword()
-                    << "' is not a dictionary: an interface is"
-                    << exit(FatalIOError);
-            }
             interfaces_.set
             (
                 n++, contactInterface::New(e.keyword(), e.dict(), bodies_)
@@ -410,7 +479,7 @@ Foam::solidSystem::solidSystem(Time& runTime)
     oldStatus_.setSize(bodies_.size());
     oldImpulses_.setSize(interfaces_.size());
     initialEnergy_.setSize(bodies_.size(), scalar(0));
-    readAccounts();
+    readAccounts(record);
     startOfRun_ = runTime_.value();
 
     // Time::run() compares the end with deltaT, which is not ours before the
@@ -486,6 +555,10 @@ Foam::solidSystem::computeEnergies() const
 void Foam::solidSystem::startStep()
 {
     const auto start = std::chrono::steady_clock::now();
+    if (contactProperties_.valid() && contactProperties_->changed)
+    {
+        readLaws();
+    }
     if (pairAgain_)
     {
         for (contactInterface& contact : interfaces_)
@@ -521,6 +594,7 @@ void Foam::solidSystem::startStep()
         shortest = min(shortest, body.timeScale());
     }
     timeStepLimit_ = returnReduce(shortest, minOp<scalar>());
+    checkTimeStep();
 
     const dictionary& control = runTime_.controlDict();
     if (control.getOrDefault("adjustTimeStep", true))

@@ -6,6 +6,7 @@
 
 #include "solidSystem.H"
 #include "dictionaryCheck.H"
+#include "writtenTimes.H"
 #include "IOdictionary.H"
 #include "IStringStream.H"
 #include "OStringStream.H"
@@ -17,6 +18,11 @@ void Foam::solidSystem::checkControls() const
     const dictionary& control = runTime_.controlDict();
     const scalar maxCo = control.getOrDefault<scalar>("maxCo", 0.3);
     dictionaryCheck::require(maxCo > 0, control, "maxCo", maxCo, "positive");
+    const scalar least = control.getOrDefault<scalar>("minDeltaT", 0);
+    dictionaryCheck::require
+    (
+        least >= 0, control, "minDeltaT", least, "at least 0"
+    );
     const label interval = control.getOrDefault<label>("logInterval", 100);
     dictionaryCheck::require
     (
@@ -25,32 +31,34 @@ void Foam::solidSystem::checkControls() const
 }
 
 
-void Foam::solidSystem::readAccounts()
+Foam::dictionary Foam::solidSystem::readRecord()
 {
     IOobject io
     (
         "solidSystem", runTime_.timeName(), "uniform", runTime_,
         IOobject::MUST_READ, IOobject::NO_WRITE, false
     );
-
-    bool continued = io.typeHeaderOk<IOdictionary>(true);
-    if (continued)
+    if (!io.typeHeaderOk<IOdictionary>(true))
     {
-        const IOdictionary dict(io);
+        return dictionary();
+    }
+    const IOdictionary record(io);
+    const scalar exact = record.get<scalar>("time");
+    if (runTime_.timeName(exact) != runTime_.timeName())
+    {
+        return dictionary();
+    }
+    runTime_.setTime(exact, runTime_.timeIndex());
+    return record;
+}
 
-        // The time to the last bit: that of the folder's name is rounded.
-        // Another time: the folder is the copy of a result, a new start
-        const scalar exact = dict.get<scalar>("time");
-        const bool sameTime =
-            runTime_.timeName(exact) == runTime_.timeName();
-        if (sameTime)
-        {
-            runTime_.setTime(exact, runTime_.timeIndex());
-        }
 
-        // Accounts that were not kept cannot be continued
-        continued = sameTime && dict.getOrDefault("energiesOn", false);
-
+void Foam::solidSystem::readAccounts(const dictionary& dict)
+{
+    // Accounts that were not kept cannot be continued
+    bool continued = dict.getOrDefault("energiesOn", false);
+    if (!dict.empty())
+    {
         forAll(bodies_, i)
         {
             const word key("region_" + bodies_[i].name());
@@ -75,7 +83,7 @@ void Foam::solidSystem::readAccounts()
         {
             if
             (
-                sameTime && Pstream::master()
+                Pstream::master()
              && dict.found("interface_" + contact.name())
             )
             {
@@ -154,30 +162,70 @@ void Foam::solidSystem::log()
 }
 
 
-void Foam::solidSystem::writeAll()
+const Foam::word& Foam::solidSystem::type() const
 {
-    // As a run that is restarted from here
+    return IOdictionary::typeName;
+}
+
+
+void Foam::solidSystem::write()
+{
+    if (asked_ >= stopSignals::writeAndEnd)
+    {
+        Info<< "Asked by a signal to write and to end" << endl;
+        runTime_.writeAndEnd();
+    }
+    else if (asked_ > 0)
+    {
+        Info<< "Asked by a signal to write" << endl;
+        runTime_.writeNow();
+    }
+    else
+    {
+        runTime_.write();
+    }
+    asked_ = 0;
+
+    if (runTime_.writeTime())
+    {
+        writtenTimes::check(*this);
+    }
+}
+
+
+bool Foam::solidSystem::writeData(Ostream& os) const
+{
+    // Bodies set their fields; pairings are found as in a run that is
+    // restarted from here
+    solidSystem& self = const_cast<solidSystem&>(*this);
     for (const contactInterface& contact : interfaces_)
     {
-        pairAgain_ = pairAgain_ || contact.moves();
+        self.pairAgain_ = pairAgain_ || contact.moves();
     }
 
-    for (solidBody& body : bodies_)
+    // In binary files, uniform fields are text: 17 digits bring back the same
+    // double
+    const unsigned int digits = IOstream::defaultPrecision();
+    if (runTime_.writeFormat() == IOstream::BINARY)
+    {
+        IOstream::defaultPrecision(17);
+    }
+    for (solidBody& body : self.bodies_)
     {
         body.write();
     }
+    IOstream::defaultPrecision(digits);
 
     // Reduced here, since every rank writes
-    List<energies> e(computeEnergies());
+    const List<energies> e(computeEnergies());
 
-    // 17 digits bring back the same double
-    OStringStream os;
-    os.precision(17);
-    os  << "time " << runTime_.value() << ';' << nl
+    OStringStream text;
+    text.precision(17);
+    text<< "time " << runTime_.value() << ';' << nl
         << "energiesOn " << (energiesOn_ ? "yes" : "no") << ';' << nl;
     forAll(bodies_, i)
     {
-        os  << "region_" << bodies_[i].name() << nl << '{' << nl
+        text<< "region_" << bodies_[i].name() << nl << '{' << nl
             << "    initialEnergy " << initialEnergy_[i] << ';' << nl
             << "    numericalDissipation " << e[i].numericalDissipation
             << ';' << nl
@@ -197,29 +245,18 @@ void Foam::solidSystem::writeAll()
         (
             returnReduce(contact.plusImpulse(), sumOp<vector>())
         );
-        os  << "interface_" << contact.name() << nl << '{' << nl
+        text<< "interface_" << contact.name() << nl << '{' << nl
             << "    impulse " << impulse << ';' << nl
             << "    plusImpulse " << plusImpulse << ';' << nl
             << '}' << nl;
     }
 
-    const IOdictionary dict
-    (
-        IOobject
-        (
-            "solidSystem", runTime_.timeName(), "uniform", runTime_,
-            IOobject::NO_READ, IOobject::NO_WRITE, false
-        ),
-        dictionary(IStringStream(os.str())())
-    );
-    const auto precision = IOstream::defaultPrecision(17);
-    dict.regIOobject::write();
-    IOstream::defaultPrecision(precision);
-}
+    const int precision = os.precision(17);
+    dictionary(IStringStream(text.str())()).write(os, false);
+    os.precision(precision);
 
-
-bool Foam::solidSystem::writeData(Ostream& os) const
-{
+    // So that a disk that is full is seen before old times are purged
+    os.flush();
     return os.good();
 }
 

@@ -10,6 +10,22 @@
 #include "dictionaryCheck.H"
 #include "IStringStream.H"
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::autoPtr<Foam::contactLaw> Foam::contactInterface::newLaw
+(
+    const dictionary& dict
+)
+{
+    return contactLaw::New
+    (
+        dict.found("law")
+      ? dict.subDict("law")
+      : dictionary(IStringStream("type frictionless;")())
+    );
+}
+
+
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
 Foam::contactSide Foam::contactInterface::findSide
@@ -233,15 +249,7 @@ Foam::contactInterface::contactInterface
     name_(name),
     impulse_(Zero),
     plusImpulse_(Zero),
-    law_
-    (
-        contactLaw::New
-        (
-            dict.found("law")
-          ? dict.subDict("law")
-          : dictionary(IStringStream("type frictionless;")())
-        )
-    )
+    law_(newLaw(dict))
 {}
 
 
@@ -266,6 +274,20 @@ Foam::autoPtr<Foam::contactInterface> Foam::contactInterface::New
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::contactInterface::readLaw(const dictionary& dict)
+{
+    autoPtr<contactLaw> law(newLaw(dict));
+    if (law->bonded() != law_->bonded())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Keyword 'law': " << law_->type() << " cannot be changed to "
+            << law->type() << " while the run goes on: only one of them bonds"
+            << exit(FatalIOError);
+    }
+    law_ = std::move(law);
+}
+
 
 void Foam::contactInterface::accumulate(const scalar weightedDeltaT)
 {

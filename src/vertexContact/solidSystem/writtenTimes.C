@@ -1,0 +1,161 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "writtenTimes.H"
+#include "argList.H"
+#include "IFstream.H"
+#include "OSspecific.H"
+#include "Time.H"
+#include "PstreamReduceOps.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- What the run itself began to write and did not end
+bool incomplete(const fileName& time)
+{
+    const fileName record(time/"uniform"/"solidSystem");
+    if (isFile(record))
+    {
+        return !writtenTimes::ends(record);
+    }
+    for (const fileName& folder : readDir(time, fileName::DIRECTORY))
+    {
+        if (folder != "uniform") return false;
+    }
+    return readDir(time, fileName::FILE).empty();
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+bool Foam::writtenTimes::ends(const fileName& file)
+{
+    static const std::string divider("************************* //");
+    constexpr std::streamoff enough = 100;
+
+    IFstream is(file);
+    if (!is.good())
+    {
+        return false;
+    }
+    std::istream& in = is.stdStream();
+    std::string tail;
+    if (!isFile(file, false))
+    {
+        // Compressed: from the start
+        char block[4096];
+        while (in.read(block, sizeof(block)) || in.gcount() > 0)
+        {
+            tail.append(block, in.gcount());
+            if (tail.size() > enough) tail.erase(0, tail.size() - enough);
+        }
+    }
+    else
+    {
+        in.seekg(0, std::ios::end);
+        const std::streamoff size = in.tellg();
+        in.seekg(size > enough ? size - enough : std::streamoff(0));
+        char block[enough];
+        in.read(block, enough);
+        tail.assign(block, in.gcount());
+    }
+    const auto last = tail.find_last_not_of(" \n");
+    return
+        last != std::string::npos
+     && last + 1 >= divider.size()
+     && tail.compare(last + 1 - divider.size(), divider.size(), divider) == 0;
+}
+
+
+void Foam::writtenTimes::check(const regIOobject& object)
+{
+    const fileName file(object.objectPath());
+    if (fileHandler().type() == "uncollated" && !ends(file))
+    {
+        FatalErrorInFunction
+            << "File " << file << " could not be written to its end: is the "
+            << "disk full, or the folder not to be written to?" << nl
+            << "Times before " << object.time().timeName()
+            << " are complete; the run continues from the latest of them "
+            << "when it is started again." << exit(FatalError);
+    }
+}
+
+
+void Foam::writtenTimes::setAsideIncomplete(const argList& args)
+{
+    {
+        IFstream is(args.rootPath()/args.globalCaseName()/"system/controlDict");
+        if
+        (
+            !is.good()
+         || dictionary(is).getOrDefault<word>("startFrom", "latestTime")
+         != "latestTime"
+        )
+        {
+            return;
+        }
+    }
+
+    const fileName path(args.path());
+    instantList times(fileHandler().findTimes(path, "constant"));
+    wordList complete, all;
+    forAll(times, i)
+    {
+        if (times[i].name() != "constant")
+        {
+            if (all.empty() || !incomplete(path/times[i].name()))
+            {
+                complete.append(times[i].name());
+            }
+            all.append(times[i].name());
+        }
+    }
+
+    // The latest that is complete wherever there are times
+    List<wordList> ofRank(Pstream::nProcs());
+    ofRank[Pstream::myProcNo()] = complete;
+    Pstream::gatherList(ofRank);
+    Pstream::scatterList(ofRank);
+    const auto everywhere = [&](const word& time)
+    {
+        for (const wordList& names : ofRank)
+        {
+            if (names.size() && !names.found(time)) return false;
+        }
+        return true;
+    };
+
+    forAllReverse(all, i)
+    {
+        if (i == 0 || everywhere(all[i]))
+        {
+            break;
+        }
+        const fileName time(path/all[i]);
+        if (!mvBak(time, "incomplete"))
+        {
+            FatalErrorInFunction
+                << "Time " << time << " is not complete (was the run killed, "
+                << "or the disk full?) and cannot be renamed. Remove it, to "
+                << "continue from an earlier one." << exit(FatalError);
+        }
+        WarningInFunction
+            << "Time " << all[i] << " is not complete (was the run killed, or "
+            << "the disk full?): it was renamed to " << all[i]
+            << ".incomplete, to continue from the latest complete one" << endl;
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,382 @@
+"""Runs that are killed, asked to stop, changed while they go on, or find no
+room to write: what was written stays, and goes on."""
+
+import os
+import random
+import re
+import resource
+import shutil
+import signal
+import subprocess
+import time
+from pathlib import Path
+
+import pytest
+
+from caseTools import Case, checked, timeFolders, timeLimit
+from collisions import collision
+
+SOLVER = "vertexContactFoam"
+INTERVALS = 40
+NAME = "friction, nearestFace"
+
+
+def command(ranks):
+    return [SOLVER] if ranks == 1 else \
+        ["mpirun", "-np", str(ranks), SOLVER, "-parallel"]
+
+
+def folders(ranks):
+    return ["."] if ranks == 1 else [f"processor{i}" for i in range(ranks)]
+
+
+def contents(case, time, ranks=1):
+    """All files of a time. In parallel without the accounts, which after a
+    restart are summed over the ranks in another order."""
+    return {str(file.relative_to(case.path)): file.read_bytes()
+            for folder in folders(ranks)
+            for file in (case/folder/time).rglob("*") if file.is_file()
+            and (ranks == 1 or file.name != "solidSystem")}
+
+
+def differing(a, b):
+    return sorted(name for name in a.keys() | b.keys()
+                  if a.get(name) != b.get(name))
+
+
+def frequent(folder, name=NAME, ranks=1, endTime=0.8):
+    """A case that writes often, ready to run."""
+    case = collision(folder, name, endTime=endTime)
+    case.set("system/controlDict", {"writeInterval": endTime/INTERVALS})
+    if ranks > 1:
+        case.decompose(ranks)
+    return case
+
+
+class Running:
+    """A run that goes on while the test does something to it."""
+
+    def __init__(self, case, ranks=1, limit=None):
+        self.case, self.ranks = case, ranks
+        self.log = case/"log"
+        with open(self.log, "w") as out:
+            self.process = subprocess.Popen(
+                command(ranks), cwd=case.path, stdin=subprocess.DEVNULL,
+                stdout=out, stderr=subprocess.STDOUT, start_new_session=True,
+                env={**os.environ, "PWD": str(case.path)}, preexec_fn=limit)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        if self.process.poll() is None:
+            self.kill()
+
+    def kill(self):
+        os.killpg(self.process.pid, signal.SIGKILL)
+        self.process.wait()
+
+    def end(self, limit=timeLimit):
+        """Exit code and output."""
+        code = self.process.wait(limit)
+        return code, self.log.read_text()
+
+    def reach(self, instant):
+        """Wait until a time after this one is written."""
+        folder = self.case/folders(self.ranks)[-1]
+        while self.process.poll() is None:
+            if any(float(t) > instant for t in timeFolders(folder)):
+                return
+            time.sleep(0.01)
+        raise RuntimeError(self.log.read_text()[-3000:])
+
+
+@pytest.fixture(scope="module")
+def straight(tmp_path_factory):
+    """The run that nothing happened to, by scene and ranks, and its
+    duration."""
+    made = {}
+
+    def get(name=NAME, ranks=1):
+        if (name, ranks) not in made:
+            case = frequent(tmp_path_factory.mktemp("straight")/"case", name,
+                            ranks)
+            shutil.copytree(case.path, case.path.parent/"pristine")
+            begin = time.time()
+            checked(command(ranks), case.path)
+            made[name, ranks] = case, time.time() - begin
+        return made[name, ranks]
+    return get
+
+
+def copied(case, path, what="pristine"):
+    return Case(shutil.copytree(case.path.parent/what, path))
+
+
+@pytest.mark.parametrize("name, ranks, kills", (
+    (NAME, 1, 25), ("plastic, sphere", 1, 15), ("friction, AMI", 2, 10)))
+def test_killed(straight, tmp_path, figures, name, ranks, kills):
+    """At random instants, again and again until the end is reached, and from
+    the start until there were enough."""
+    whole, duration = straight(name, ranks)
+    last = timeFolders(whole/folders(ranks)[0])[-1]
+    expected = contents(whole, last, ranks)
+    chance = random.Random(name)
+    path = tmp_path/"killed"
+    done = ends = halfWritten = 0
+    different, failed = [], []
+    while (done < kills or path.exists()) and not failed:
+        case = Case(path) if path.exists() else copied(whole, path)
+        with Running(case, ranks) as run:
+            patience = (chance.uniform(0.1, 1)*duration if done < kills
+                        else timeLimit)
+            try:
+                code, log = run.end(patience)
+            except subprocess.TimeoutExpired:
+                run.kill()
+                done += 1
+                log = run.log.read_text()
+                code = 0 if "FOAM FATAL" not in log else 1
+            else:
+                different += differing(expected, contents(case, last, ranks))
+                ends += 1
+                shutil.rmtree(path)
+        halfWritten += "is not complete" in log
+        if code != 0:
+            failed.append(log[-2000:])
+    with figures(f"killed {done} times, {name}, {ranks} ranks") as f:
+        f.equal("runs that failed", failed, [])
+        f.equal("files that differ at the end", different, [])
+        f.atLeast("ends", ends, 1)
+        f.atLeast("times that were half written", halfWritten, 0)
+
+
+def onlyTime(folder):
+    for entry in folder.iterdir():
+        if entry.name != "uniform":
+            shutil.rmtree(entry)
+    (folder/"uniform/solidSystem").unlink()
+
+
+def empty(folder):
+    shutil.rmtree(folder)
+    folder.mkdir()
+
+
+def cut(file):
+    def action(folder):
+        path = folder/file
+        path.write_bytes(path.read_bytes()[:-30])
+    return action
+
+
+def noLater(folder):
+    """Cut in a field, the accounts not ended."""
+    (folder/"below/H").unlink()
+    cut("below/F")(folder)
+    (folder/"uniform/solidSystem").write_text("FoamFile\n{")
+
+
+@pytest.mark.parametrize("harm", (onlyTime, empty, noLater,
+                                  cut("uniform/solidSystem")),
+                         ids=("only time", "empty", "in a field", "at the end"))
+@pytest.mark.parametrize("ranks", (1, 2))
+def test_half_written(straight, tmp_path, figures, harm, ranks):
+    """A time that one rank had not written to the end."""
+    whole, _ = straight(NAME, ranks)
+    case = copied(whole, tmp_path/"case", "case")
+    times = timeFolders(case/folders(ranks)[0])
+    middle, last = times[INTERVALS//2], times[-1]
+    for folder in folders(ranks):
+        for t in times[INTERVALS//2 + 1:]:
+            shutil.rmtree(case/folder/t)
+    harmed = case/folders(ranks)[-1]/middle
+    harm(harmed)
+    before = sorted(str(p.relative_to(harmed)) for p in harmed.rglob("*"))
+    with Running(case, ranks) as run:
+        code, log = run.end()
+    aside = Path(f"{harmed}.incomplete")
+    with figures(f"half-written time, {ranks} ranks") as f:
+        f.equal("exit code", code, 0)
+        f.atLeast("warnings", len(re.findall(
+            f"Time {re.escape(middle)} is not complete", log)), 1)
+        f.equal("set aside as it was", sorted(
+            str(p.relative_to(aside)) for p in aside.rglob("*")), before)
+        f.equal("files that differ at the end", differing(
+            contents(whole, last, ranks), contents(case, last, ranks)), [])
+
+
+def test_time_of_a_user(straight, tmp_path, figures):
+    """Fields that a tool has made, without accounts, are a start."""
+    whole, _ = straight()
+    case = copied(whole, tmp_path/"case")
+    (case/"0").rename(case/"0.5")
+    (case/"0").mkdir()
+    with Running(case) as run:
+        code, log = run.end()
+    with figures("fields at 0.5 s, none at 0 s") as f:
+        f.equal("exit code", code, 0)
+        f.equal("warning", "is not complete" in log, False)
+        f.equal("start", (case/"postProcessing/solidEnergies/0.5").exists(),
+                True)
+
+
+@pytest.mark.parametrize("ranks", (1, 2))
+@pytest.mark.parametrize("which, ends", (
+    (signal.SIGUSR1, False), (signal.SIGUSR2, True), (signal.SIGTERM, True)))
+def test_signals(straight, tmp_path, figures, which, ends, ranks):
+    """To the last rank alone."""
+    whole, _ = straight(NAME, ranks)
+    case = copied(whole, tmp_path/"case")
+    case.set("system/controlDict", {"writeInterval": 0.1, "endTime": 4,
+                                    "logInterval": 1})
+    asked = "Asked by a signal to write"
+    with Running(case, ranks) as run:
+        run.reach(0)
+        process = run.process.pid
+        if ranks > 1:
+            children = subprocess.run(
+                ["pgrep", "-P", str(process)], capture_output=True,
+                text=True).stdout.split()
+            process = int(children[-1])
+        os.kill(process, which)
+        if not ends:
+            while asked not in run.log.read_text() \
+                    and run.process.poll() is None:
+                time.sleep(0.01)
+            case.set("system/controlDict", {"stopAt": "nextWrite"})
+        code, log = run.end()
+    folder = folders(ranks)[0]
+    odd = [t for t in timeFolders(case/folder)
+           if abs(10*float(t) - round(10*float(t))) > 1e-6]
+    with figures(f"{which.name}, {ranks} ranks") as f:
+        f.equal("exit code", code, 0)
+        f.equal("said", asked in log, True)
+        f.equal("times between write times", len(odd), 1)
+        f.equal("the last time is one", timeFolders(case/folder)[-1] == odd[0],
+                ends)
+        f.equal("End", "\nEnd" in log, True)
+    # And goes on from there
+    case.set("system/controlDict", {"stopAt": "endTime", "endTime":
+             float(odd[0]) + 0.01})
+    for later in folders(ranks):
+        for t in timeFolders(case/later):
+            if float(t) > float(odd[0]):
+                shutil.rmtree(case/later/t)
+    checked(command(ranks), case.path)
+    assert (case/"postProcessing/solidEnergies"/odd[0]).exists()
+
+
+def small():
+    """Files of a run end after 12 kB: F does not fit."""
+    signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (12000, 12000))
+
+
+def test_no_room(straight, tmp_path, figures):
+    """A file that cannot be written to its end: like a disk that is full."""
+    whole, _ = straight()
+    case = copied(whole, tmp_path/"case")
+    times = timeFolders(whole.path)
+    with Running(case, limit=small) as run:
+        code, log = run.end()
+    again = Running(case)
+    codeAgain, logAgain = again.end()
+    with figures("files of 12 kB at most") as f:
+        f.equal("exit code", code, 1)
+        f.equal("one error names the file", bool(re.search(
+            rf"FATAL[^>]*/{times[1]}/above/F", log)), True)
+        f.equal("exit code with room", codeAgain, 0)
+        f.equal("renamed", f"{times[1]} is not complete" in logAgain, True)
+        f.equal("files that differ at the end", differing(
+            contents(whole, times[-1]), contents(case, times[-1])), [])
+
+
+@pytest.mark.parametrize("ranks", (1, 2))
+def test_no_folder(straight, tmp_path, figures, ranks):
+    """A time folder that cannot be made, on one rank."""
+    whole, _ = straight(NAME, ranks)
+    case = copied(whole, tmp_path/"case")
+    times = timeFolders(whole/folders(ranks)[0])
+    (case/folders(ranks)[-1]/times[3]).write_text("in the way")
+    with Running(case, ranks) as run:
+        code, log = run.end(60)
+    with figures(f"a file where a time folder belongs, {ranks} ranks") as f:
+        f.equal("fails", code != 0, True)
+        f.equal("one error names the folder", bool(re.search(
+            rf"FATAL[^>]*/{times[3]}/", log)), True)
+        f.equal("times before are there", differing(
+            contents(whole, times[2], ranks), contents(case, times[2], ranks)),
+            [])
+
+
+@pytest.mark.parametrize("ranks", (1, 2))
+def test_short_step(straight, tmp_path, figures, ranks):
+    """A stable step that falls below minDeltaT, in contact."""
+    whole, _ = straight(NAME, ranks)
+    case = copied(whole, tmp_path/"case")
+    case.set("system/controlDict", {"logInterval": 1})
+    with Running(case, ranks) as run:
+        _, log = run.end()
+    steps = [(float(t), float(dt)/float(co)) for t, dt, co in re.findall(
+        r"  Time (\S+) s  deltaT (\S+) s  Co (\S+)", log)]
+    limits = [limit for _, limit in steps]
+    least = (limits[0] + min(limits))/2
+    # The limit of a step is that of the state it starts from
+    stop = next(t for (t, _), (_, limit) in zip(steps, steps[1:])
+                if limit < least)
+
+    case = copied(whole, tmp_path/"short")
+    case.set("system/controlDict", {"minDeltaT": least})
+    with Running(case, ranks) as run:
+        code, log = run.end(120)
+    told = re.search(r"\(minDeltaT\): region (\w+), node at .*, at time (\S+) s",
+                     log)
+    with figures(f"step below minDeltaT, {ranks} ranks") as f:
+        f.atLeast("first stable step / least - 1", limits[0]/least - 1, 1e-4)
+        f.equal("fails", code != 0, True)
+        f.equal("names the region", told[1] in ("below", "above"), True)
+        f.within("time of the message [s]", float(told[2]), stop, 1e-5*stop)
+        f.within("time written [s]",
+                 float(timeFolders(case/folders(ranks)[0])[-1]), stop,
+                 1e-5*stop)
+
+
+def rewrite(case, file, **entries):
+    """All at once: a running program may look at any instant; and a minute
+    younger, for OpenFOAM takes only files that are 10 s younger
+    (fileModificationSkew)."""
+    text = (case/file).read_text()
+    for key, value in entries.items():
+        text, n = re.subn(rf"\b{key}\s+[^;]*;", f"{key} {value};", text)
+        assert n == 1, key
+    (case/"rewritten").write_text(text)
+    os.utime(case/"rewritten", (time.time() + 60,)*2)
+    os.replace(case/"rewritten", case/file)
+
+
+def test_modified(straight, tmp_path, figures):
+    """Friction, Courant number, write interval and end, in mid-run."""
+    whole, _ = straight()
+    case = copied(whole, tmp_path/"case")
+    case.set("system/controlDict", {
+        "endTime": 1000, "writeInterval": 0.5, "logInterval": 1,
+        "runTimeModifiable": True})
+    with Running(case) as run:
+        run.reach(0)
+        rewrite(case, "constant/contactProperties", frictionCoeff=0)
+        rewrite(case, "system/controlDict", maxCo=0.15, stopAt="nextWrite",
+                writeInterval=0.7)
+        code, log = run.end()
+    courant = [float(x) for x in re.findall(r"  Co ([0-9.e-]+)", log)]
+    last = float(timeFolders(case.path)[-1])
+    slip = case.contact("contact")["slip"]
+    with figures("modified while the run goes on") as f:
+        f.equal("exit code", code, 0)
+        f.atLeast("largest Courant number", max(courant[:50]), 0.25)
+        f.atMost("of the last step", courant[-1], 0.15*(1 + 1e-9))
+        f.within("last time / new write interval", last/0.7, round(last/0.7),
+                 1e-6)
+        f.equal("contactProperties read again",
+                "Re-reading object contactProperties" in log, True)
+        f.equal("slip at some time", bool(slip.max() > 0), True)
