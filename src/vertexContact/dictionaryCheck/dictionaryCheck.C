@@ -148,6 +148,15 @@ Foam::scalar Foam::dictionaryCheck::readNumber
             << ", which is not a finite number" << exit(FatalIOError);
     }
 
+    // Products of such numbers still are numbers
+    if (mag(number.value()) > 1e60)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Keyword '" << keyword << "' is " << number.value()
+            << ", which is too large in units of metres, kilograms and seconds"
+            << exit(FatalIOError);
+    }
+
     return number.value();
 }
 

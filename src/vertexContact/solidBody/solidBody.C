@@ -408,7 +408,7 @@ Foam::label Foam::solidBody::contactPatch
     {
         FatalIOErrorInFunction(dict)
             << "Keyword '" << keyword << "': patch '" << patch
-            << "' of region '" << name_ << "' has the boundary condition '"
+            << "' of region '" << name_ << "' has the type '"
             << pf.type() << "' in " << pointU_.objectPath()
             << ": it must be 'contact'" << exit(FatalIOError);
     }

@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "solidBody.H"
+#include "dictionaryCheck.H"
 #include "fileError.H"
 #include "writtenTimes.H"
 #include "Time.H"
@@ -32,7 +33,7 @@ Foam::solidBody::readIfPresent
     );
 
     autoPtr<Field> field;
-    if (io.typeHeaderOk<Field>(true))
+    if (dictionaryCheck::isThere<Field>(io))
     {
         field.reset(new Field(io, pointMesh::New(mesh_)));
 

@@ -35,7 +35,7 @@ wordList regionNames(const Time& runTime)
         "regionProperties", runTime.constant(), runTime,
         IOobject::MUST_READ, IOobject::NO_WRITE, false
     );
-    if (!io.typeHeaderOk<IOdictionary>(true))
+    if (!dictionaryCheck::isThere<IOdictionary>(io))
     {
         return wordList(1, polyMesh::defaultRegion);
     }
@@ -415,7 +415,7 @@ Foam::solidSystem::solidSystem(Time& runTime)
         "contactProperties", runTime.constant(), runTime,
         IOobject::MUST_READ_IF_MODIFIED, IOobject::NO_WRITE
     );
-    if (contactIO.typeHeaderOk<IOdictionary>(true))
+    if (dictionaryCheck::isThere<IOdictionary>(contactIO))
     {
         contactProperties_.reset(new watchedDictionary(contactIO));
         const dictionary& list = interfaceDicts();
@@ -449,7 +449,7 @@ Foam::solidSystem::solidSystem(Time& runTime)
                     << "Keyword 'interfaces': no interface has patch '"
                     << body.mesh().boundaryMesh()[patchi].name()
                     << "' of region '" << body.name()
-                    << "' as a side, but its boundary condition in pointU is "
+                    << "' as a side, but its 'type' in pointU is "
                     << "'contact'" << exit(FatalIOError);
             }
         }
@@ -460,7 +460,7 @@ Foam::solidSystem::solidSystem(Time& runTime)
         "g", runTime.constant(), runTime,
         IOobject::MUST_READ, IOobject::NO_WRITE, false
     );
-    if (gravityIO.typeHeaderOk<uniformDimensionedVectorField>(true))
+    if (dictionaryCheck::isThere<uniformDimensionedVectorField>(gravityIO))
     {
         const uniformDimensionedVectorField g(gravityIO);
         if (g.dimensions() != dimAcceleration)

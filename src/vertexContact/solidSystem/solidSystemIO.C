@@ -38,7 +38,7 @@ Foam::dictionary Foam::solidSystem::readRecord()
         "solidSystem", runTime_.timeName(), "uniform", runTime_,
         IOobject::MUST_READ, IOobject::NO_WRITE, false
     );
-    if (!io.typeHeaderOk<IOdictionary>(true))
+    if (!dictionaryCheck::isThere<IOdictionary>(io))
     {
         return dictionary();
     }
