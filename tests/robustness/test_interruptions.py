@@ -11,10 +11,12 @@ import subprocess
 import time
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from caseTools import Case, checked, timeFolders, timeLimit
 from collisions import collision
+from smallCases import RUBBER, Body, SmallCase
 
 SOLVER = "vertexContactFoam"
 INTERVALS = 40
@@ -166,7 +168,7 @@ def empty(folder):
 def cut(file):
     def action(folder):
         path = folder/file
-        path.write_bytes(path.read_bytes()[:-30])
+        path.write_bytes(path.read_bytes()[:-300])
     return action
 
 
@@ -204,6 +206,57 @@ def test_half_written(straight, tmp_path, figures, harm, ranks):
             str(p.relative_to(aside)) for p in aside.rglob("*")), before)
         f.equal("files that differ at the end", differing(
             contents(whole, last, ranks), contents(case, last, ranks)), [])
+
+
+def garbage(folder):
+    path = folder/"below/F"
+    data = path.read_bytes()
+    at = data.index(b"internalField")
+    path.write_bytes(data[:at] + bytes(range(1, 200)) + data[at + 199:])
+
+
+def otherSize(folder):
+    shutil.copy(folder/"above/F", folder/"below/F")
+
+
+def noVelocity(folder):
+    (folder/"below/pointU").unlink()
+
+
+@pytest.mark.parametrize("harm, file", (
+    (cut("below/F"), "below/F"), (garbage, "below/F"), (otherSize, "below/F"),
+    (noVelocity, "below/pointU"),
+    (cut("below/contactStatus"), "below/contactStatus")),
+    ids=("cut", "garbage", "other mesh", "missing", "cut text"))
+def test_harmed_start(straight, tmp_path, figures, harm, file):
+    """A complete time of which a file was harmed later: no start from it, and
+    nothing else is touched."""
+    whole, _ = straight()
+    case = copied(whole, tmp_path/"case", "case")
+    last = timeFolders(case.path)[-1]
+    harm(case/last)
+    case.set("system/controlDict", {"endTime": 1})
+    before = {t: contents(case, t) for t in timeFolders(case.path)}
+    with Running(case) as run:
+        code, log = run.end(60)
+    with figures(f"start from a harmed {file}") as f:
+        f.equal("exit code", code, 1)
+        f.equal("messages", len(re.findall("--> FOAM FATAL", log)), 1)
+        f.equal("names the file", f"{last}/{file}" in log, True)
+        f.equal("times", {t: contents(case, t)
+                          for t in timeFolders(case.path)} == before, True)
+
+
+def test_missing_processor(straight, tmp_path, figures):
+    """Half of a decomposed case."""
+    whole, _ = straight(NAME, 2)
+    case = copied(whole, tmp_path/"case")
+    shutil.rmtree(case/"processor1")
+    with Running(case, 2) as run:
+        code, log = run.end(60)
+    with figures("processor1 is missing") as f:
+        f.equal("fails", code != 0, True)
+        f.equal("says so", "no constant folder of processor1" in log, True)
 
 
 def test_time_of_a_user(straight, tmp_path, figures):
@@ -340,6 +393,38 @@ def test_short_step(straight, tmp_path, figures, ranks):
         f.within("time written [s]",
                  float(timeFolders(case/folders(ranks)[0])[-1]), stop,
                  1e-5*stop)
+
+
+@pytest.mark.parametrize("ranks", (1, 2))
+def test_energy_rise(tmp_path, figures, ranks):
+    """A coarse cube that turns, without limiter: it gains energy."""
+    cube = Body(cells=(3, 3, 3), material=RUBBER, scheme={"limiter": "none"},
+                velocity=lambda X: np.cross((0, 0, 1), X - 0.5))
+    bound = 1e-4
+    cases = [SmallCase(tmp_path/name, cube, 3, control={
+        "writeControl": "none", **control}) for name, control in (
+            ("free", {}), ("watched", {"maxEnergyRise": bound}))]
+    for case in cases:
+        if ranks > 1:
+            case.decompose(ranks)
+    with Running(cases[0], ranks) as run:
+        assert run.end()[0] == 0
+    energy = cases[0].totalEnergy
+    above = energy - np.minimum.accumulate(energy) \
+        > bound*np.maximum.accumulate(energy)
+    first = np.flatnonzero(above)[0]
+    t = cases[0].energies["Time"]
+    with Running(cases[1], ranks) as run:
+        code, log = run.end(120)
+    told = re.search(r"energy has risen by .*: region body, node at .*, in the "
+                     r"step to time (\S+) s", log)
+    with figures(f"maxEnergyRise, {ranks} ranks") as f:
+        f.equal("fails", code != 0, True)
+        f.within("time of the step [s]", float(told[1]), t[first],
+                 1e-5*t[first])
+        f.within("time written [s]", float(
+            timeFolders(cases[1]/folders(ranks)[0])[-1]), t[first - 1],
+            1e-5*t[first])
 
 
 def rewrite(case, file, **entries):

@@ -84,7 +84,9 @@ class Case:
 
     @property
     def regions(self):
-        return sorted(entry.name for entry in (self.path/"0.orig").iterdir()
+        start = self.path/"0.orig"
+        return sorted(entry.name for entry in
+                      (start if start.exists() else self.path/"0").iterdir()
                       if entry.is_dir())
 
     @property
@@ -119,6 +121,23 @@ class Case:
         if values.ndim == 0 or len(values) != nPoints:
             values = np.broadcast_to(values, (nPoints, *values.shape))
         return values.reshape(nPoints, -1)
+
+    def decompose(self, ranks, method="metis"):
+        for region in ("", *self.regions):
+            (self.path/"system"/region/"decomposeParDict").write_text(
+                "FoamFile { version 2.0; format ascii; class dictionary; "
+                "object decomposeParDict; }\n"
+                f"numberOfSubdomains {ranks}; method {method};\n"
+                f'{method}Coeffs {{ dataFile "cellDecomposition"; }}\n')
+        checked(["decomposePar", "-allRegions"], self.path)
+
+    def runParallel(self, ranks, method="metis"):
+        """Decompose, run, and put together again."""
+        self.decompose(ranks, method)
+        checked(["mpirun", "-np", str(ranks), "vertexContactFoam",
+                 "-parallel"], self.path)
+        checked(["reconstructPar", "-allRegions", "-newTimes"], self.path)
+        return self
 
     def points(self, region):
         file = self.path/"constant"/region/"polyMesh"/"points"

@@ -204,13 +204,6 @@ class SmallCase(Case):
             f"dimensions {dimensions};\ninternalField nonuniform "
             f"List<{kind}>\n{listed(U)};\nboundaryField{text(patches)}")
 
-    def decompose(self, ranks, method="metis"):
-        for region in ("", *(body.name for body in self.bodies)):
-            self.dictionary(Path("system")/region/"decomposeParDict", {
-                "numberOfSubdomains": ranks, "method": method,
-                f"{method}Coeffs": {"dataFile": '"cellDecomposition"'}})
-        checked(["decomposePar", "-allRegions"], self.path)
-
     def run(self):
         """Run in serial; any failure is an error."""
         checked(["vertexContactFoam"], self.path)
@@ -224,13 +217,6 @@ class SmallCase(Case):
             command = ["mpirun", "-np", str(ranks), *command, "-parallel"]
         done = execute(command, self.path)
         return done.returncode, done.stdout
-
-    def runParallel(self, ranks, method="metis"):
-        self.decompose(ranks, method)
-        checked(["mpirun", "-np", str(ranks), "vertexContactFoam",
-                 "-parallel"], self.path)
-        checked(["reconstructPar", "-allRegions", "-newTimes"], self.path)
-        return self
 
     @property
     def last(self):

@@ -681,6 +681,32 @@ Foam::label Foam::solidBody::findNodeWithin(const scalar timeScale) const
 }
 
 
+Foam::scalar Foam::solidBody::largestSpeed() const
+{
+    const label d = dual_.nDim();
+    scalar largest = 0;
+    for (label a = 0; a < dual_.nNodes(); ++a)
+    {
+        largest = max(largest, mag(expand(data_.state.lm.cdata() + a*d)));
+    }
+    return largest/data_.rho;
+}
+
+
+Foam::label Foam::solidBody::findNodeFasterThan(const scalar speed) const
+{
+    const label d = dual_.nDim();
+    for (label a = 0; a < dual_.nNodes(); ++a)
+    {
+        if (mag(expand(data_.state.lm.cdata() + a*d)) >= speed*data_.rho)
+        {
+            return a;
+        }
+    }
+    return -1;
+}
+
+
 Foam::label Foam::solidBody::advance(const scalar deltaT, const int stage)
 {
     data_.state.sinceCommit = deltaT;
@@ -697,10 +723,22 @@ Foam::scalar Foam::solidBody::commitPlasticity()
 }
 
 
+void Foam::solidBody::keepPlasticity()
+{
+    keptCpi_ = data_.state.Cpi;
+    keptStrain_ = data_.state.epsilonPEq;
+}
+
+
 void Foam::solidBody::restoreOld()
 {
     data_.state.assignElastic(data_.old);
     data_.state.sinceCommit = 0;
+    if (keptCpi_.size())
+    {
+        data_.state.Cpi = keptCpi_;
+        data_.state.epsilonPEq = keptStrain_;
+    }
 }
 
 

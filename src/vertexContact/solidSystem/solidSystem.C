@@ -312,14 +312,13 @@ void Foam::solidSystem::checkTimeStep()
 }
 
 
-void Foam::solidSystem::stopOnBadState()
+void Foam::solidSystem::stopStep
+(
+    const string& what,
+    const string& where,
+    const string& cures
+)
 {
-    // Say where, before the state is put back
-    const string what = describe
-    (
-        [](const solidBody& body) { return body.findBadNode(); }
-    );
-
     const scalar badTime = runTime_.value();
     forAll(bodies_, i)
     {
@@ -348,11 +347,80 @@ void Foam::solidSystem::stopOnBadState()
     }
 
     FatalErrorInFunction
-        << "The state is not finite or has a Jacobian that is not positive: "
-        << what.c_str() << ", in the step to time " << badTime << " s." << nl
+        << what.c_str() << ": " << where.c_str() << ", in the step to time "
+        << badTime << " s." << nl
         << written.c_str() << nl
-        << "Likely cures: a smaller maxCo, 'reconstruction linear' or a "
-        << "finer mesh where the deformation is largest." << exit(FatalError);
+        << "Likely cures: " << cures.c_str() << exit(FatalError);
+}
+
+
+void Foam::solidSystem::stopOnBadState()
+{
+    // Where, before the state is put back
+    const string where = describe
+    (
+        [](const solidBody& body) { return body.findBadNode(); }
+    );
+    stopStep
+    (
+        "The state is not finite or has a Jacobian that is not positive",
+        where,
+        "a smaller maxCo, 'reconstruction linear' or a finer mesh where the "
+        "deformation is largest."
+    );
+}
+
+
+void Foam::solidSystem::checkEnergy()
+{
+    const List<energies> all(computeEnergies());
+    const energies& e = all.last();
+    const scalar own = e.total() - e.externalWork - e.contactWork;
+
+    leastEnergy_ = min(leastEnergy_, own);
+    largestEnergy_ = max(largestEnergy_, e.total());
+    if (own - leastEnergy_ <= maxEnergyRise_*largestEnergy_)
+    {
+        return;
+    }
+
+    // Where: the body that has least reason for its energy, and its fastest
+    // node
+    label worst = 0;
+    for (label i = 1; i < bodies_.size(); ++i)
+    {
+        if (all[i].numericalDissipation < all[worst].numericalDissipation)
+        {
+            worst = i;
+        }
+    }
+    scalar fastest = 0;
+    forAll(bodies_, i)
+    {
+        if (i == worst) fastest = bodies_[i].largestSpeed();
+    }
+    reduce(fastest, maxOp<scalar>());
+    const string where = describe
+    (
+        [&](const solidBody& body)
+        {
+            return
+                &body == &bodies_[worst]
+              ? body.findNodeFasterThan(fastest*(1 - 1e-12))
+              : -1;
+        }
+    );
+    OStringStream os;
+    os  << "The energy has risen by " << own - leastEnergy_ << " J, "
+        << (own - leastEnergy_)/largestEnergy_
+        << " of its largest value (maxEnergyRise " << maxEnergyRise_ << ')';
+    stopStep
+    (
+        os.str(),
+        where,
+        "a smaller maxCo, 'reconstruction linear', which never gains energy, "
+        "or 'cells simplicial'."
+    );
 }
 
 
@@ -401,6 +469,7 @@ Foam::solidSystem::solidSystem(Time& runTime)
     runTime_(runTime)
 {
     checkControls();
+    checkProcessors();
     const dictionary record(readRecord());
 
     const wordList regions(regionNames(runTime));
@@ -480,6 +549,12 @@ Foam::solidSystem::solidSystem(Time& runTime)
     oldImpulses_.setSize(interfaces_.size());
     initialEnergy_.setSize(bodies_.size(), scalar(0));
     readAccounts(record);
+    maxEnergyRise_ =
+        runTime.controlDict().getOrDefault<scalar>("maxEnergyRise", 0);
+    if (maxEnergyRise_ > 0)
+    {
+        accountEnergies();
+    }
     startOfRun_ = runTime_.value();
 
     // Time::run() compares the end with deltaT, which is not ours before the
@@ -579,6 +654,10 @@ void Foam::solidSystem::startStep()
     forAll(bodies_, i)
     {
         oldStatus_[i] = bodies_[i].contact().status;
+        if (maxEnergyRise_ > 0)
+        {
+            bodies_[i].keepPlasticity();
+        }
     }
     forAll(interfaces_, i)
     {
@@ -618,6 +697,10 @@ void Foam::solidSystem::finishStep()
     advance(deltaT, 0);
     evaluate(runTime_.value(), 1);
     advance(deltaT, 1);
+    if (maxEnergyRise_ > 0)
+    {
+        checkEnergy();
+    }
 
     ++steps_;
     stepSeconds_ += secondsSince(start);

@@ -18,6 +18,11 @@ void Foam::solidSystem::checkControls() const
     const dictionary& control = runTime_.controlDict();
     const scalar maxCo = control.getOrDefault<scalar>("maxCo", 0.3);
     dictionaryCheck::require(maxCo > 0, control, "maxCo", maxCo, "positive");
+    const scalar rise = control.getOrDefault<scalar>("maxEnergyRise", 1);
+    dictionaryCheck::require
+    (
+        rise > 0, control, "maxEnergyRise", rise, "positive"
+    );
     const scalar least = control.getOrDefault<scalar>("minDeltaT", 0);
     dictionaryCheck::require
     (
@@ -28,6 +33,27 @@ void Foam::solidSystem::checkControls() const
     (
         interval > 0, control, "logInterval", interval, "positive"
     );
+}
+
+
+void Foam::solidSystem::checkProcessors() const
+{
+    if (!Pstream::parRun()) return;
+
+    const fileName mine
+    (
+        fileHandler().filePath(runTime_.path()/runTime_.constant())
+    );
+    label missing = mine.size() ? labelMax : Pstream::myProcNo();
+    reduce(missing, minOp<label>());
+    if (missing != labelMax)
+    {
+        FatalErrorInFunction
+            << "There is no " << runTime_.constant() << " folder of processor"
+            << missing << ", but the run has " << Pstream::nProcs()
+            << " ranks." << nl << "Decompose the case for as many: "
+            << "decomposePar -allRegions -force" << exit(FatalError);
+    }
 }
 
 

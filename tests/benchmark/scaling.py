@@ -1,0 +1,154 @@
+#!/usr/bin/env python3
+"""Strong scaling on 1 and 2 ranks, what a rank sends in a step, and what that
+means for many ranks. Writes scaling.md beside this file.
+
+    . etc/bashrc; tests/benchmark/scaling.py [CELLS [STEPS]]
+
+A free block (CELLS^3 hexahedra as tetrahedra, default 58, neo-Hookean,
+defaults) that is stretched; times are the least of three runs, less those of
+runs of one step. Needs as many free cores as ranks. Messages and bytes are
+counted by Open MPI's monitoring component (pml_monitoring), point to point and
+inside of reductions.
+"""
+
+import math
+import re
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+root = Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(root/"tests"/"verification"), str(root/"tutorials")]
+
+import numpy as np
+from foamlib import FoamFile
+
+from caseTools import checked
+from smallCases import RUBBER, Body, SmallCase
+
+RATE = np.diag((0.1, -0.05, -0.05))
+NETWORK = 2e-6, 10e9        # assumed: latency [s] and bandwidth [bytes/s]
+MANY = 1e8, 1e4             # nodes, ranks
+
+
+class Block:
+    """A case, its time per step and its messages by number of ranks."""
+
+    def __init__(self, folder, cells, ranks):
+        self.ranks = ranks
+        body = Body(cells=(cells,)*3, material=RUBBER,
+                    velocity=lambda X: (X - 0.5) @ RATE)
+        self.deltaT = 0.1/cells
+        self.case = SmallCase(folder, body, self.deltaT, control={
+            "deltaT": self.deltaT, "adjustTimeStep": "no", "functions": {},
+            "writeControl": "none"})
+        if ranks > 1:
+            self.case.decompose(ranks)
+
+    def run(self, steps, *options):
+        """Wall clock time."""
+        self.case.set("system/controlDict", {"endTime": steps*self.deltaT})
+        command = ["vertexContactFoam"]
+        if self.ranks > 1:
+            command = ["mpirun", *options, "-np", str(self.ranks), *command,
+                       "-parallel"]
+        begin = time.perf_counter()
+        checked(command, self.case.path)
+        return time.perf_counter() - begin
+
+    def perStep(self, steps):
+        least = {n: min(self.run(n) for _ in range(3)) for n in (1, steps + 1)}
+        return (least[steps + 1] - least[1])/steps
+
+    def sent(self, steps=20):
+        """Messages and bytes of a rank in a step, the largest of the ranks:
+        point to point, and inside of reductions."""
+        totals = []
+        for n in (1, steps + 1):
+            profile = self.case/f"profile{n}"
+            self.run(n, "--mca", "pml_monitoring_enable", "1",
+                     "--mca", "pml_monitoring_enable_output", "3",
+                     "--mca", "pml_monitoring_filename", str(profile))
+            total = np.zeros((self.ranks, 2, 2))
+            for rank in range(self.ranks):
+                for kind, size, count in re.findall(
+                        r"^([EI])\s+\d+\s+\d+\s+(\d+) bytes\s+(\d+) msgs sent",
+                        Path(f"{profile}.{rank}.prof").read_text(), re.M):
+                    total[rank, "EI".index(kind)] += int(count), int(size)
+            totals.append(total)
+        return ((totals[1] - totals[0])/steps).max(axis=0)
+
+    def sharedNodes(self):
+        """Of two ranks."""
+        mine, others = (set(np.asarray(FoamFile(
+            self.case/f"processor{rank}/constant/body/polyMesh"
+            / "pointProcAddressing")[None]).tolist()) for rank in (0, 1))
+        return len(mine & others)
+
+
+def main(cells=58, steps=20):
+    cells, steps = int(cells), int(steps)
+    nodes = (cells + 1)**3
+    with tempfile.TemporaryDirectory() as folder:
+        folder = Path(folder)
+        one, two = (Block(folder/str(n), cells, n) for n in (1, 2))
+        t1, t2 = one.perStep(steps), two.perStep(steps)
+        (messages, size), (reductions, reduced) = two.sent()
+        shared = two.sharedNodes()
+        # Of blocks so small that messages are what costs
+        small = [Block(folder/f"small{n}", 4, n) for n in (1, 2)]
+        s1, s2 = (block.perStep(2000) for block in small)
+        (fewMessages, _), (fewReductions, _) = small[1].sent()
+    latency = max(s2 - s1/2, 0)/(fewMessages + fewReductions)
+
+    perNode = t1/nodes
+    bytesShared = size/shared
+
+    def predicted(many, ranks):
+        own = many/ranks
+        # A cube of nodes has six neighbours across faces, 26 in all, and
+        # shares its surface
+        surface = 6*own**(2/3)
+        stages = messages
+        waits = 26*stages + reductions*math.log2(ranks)
+        return (own*perNode, waits*NETWORK[0],
+                surface*bytesShared/NETWORK[1])
+
+    compute, waiting, sending = predicted(*MANY)
+    efficiency = compute/(compute + waiting + sending)
+    page = f"""# Strong scaling
+
+Written by `tests/benchmark/scaling.py {cells} {steps}`: a free block of {nodes:,} nodes, tetrahedra, neo-Hookean, defaults, no output. One
+machine, nothing else running.
+
+| ranks | seconds a step | µs per node and step | efficiency |
+|---|---|---|---|
+| 1 | {t1:.4f} | {1e6*t1/nodes:.3f} | 1 |
+| 2 | {t2:.4f} | {2e6*t2/nodes:.3f} | {t1/(2*t2):.3f} |
+
+What a rank of the two sends in a step (two stages; Open MPI's `pml_monitoring`): {messages:.1f} messages and {size:,.0f} bytes to its
+neighbour, {bytesShared:,.0f} bytes for each of the {shared:,} nodes that it shares, and {reductions:.1f} messages with {reduced:.0f} bytes inside of reductions.
+Blocks of 125 nodes take {1e6*s1:.1f} µs a step on one rank and {1e6*s2:.1f} µs on two: {1e6*latency:.2f} µs a message between cores of one machine.
+
+## {MANY[0]:.0e} nodes on {MANY[1]:.0e} ranks, on paper
+
+Every rank has a cube of {MANY[0]/MANY[1]:,.0f} nodes, shares its surface, and sends in each exchange to 26 neighbours. With the measured cost of a
+node and bytes of a shared node, and an assumed network with {1e6*NETWORK[0]:.0f} µs a message and {NETWORK[1]/1e9:.0f} GB/s:
+
+| | ms a step |
+|---|---|
+| nodes | {1e3*compute:.2f} |
+| messages ({26*messages:.0f} to neighbours, {reductions*math.log2(MANY[1]):.0f} in reductions, one after the other) | {1e3*waiting:.2f} |
+| bytes | {1e3*sending:.2f} |
+| efficiency | {efficiency:.2f} |
+
+Not measured: contention of the network, imbalance of the decomposition, contact (a pairing between bodies on different ranks adds one
+message to each rank opposite and back, in each stage).
+"""
+    (Path(__file__).parent/"scaling.md").write_text(page)
+    print(page)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

@@ -1,0 +1,69 @@
+"""Every tutorial, on a coarse mesh and until its bodies are in contact: every
+field on 2, 3 and 4 ranks is the serial one."""
+
+import shutil
+
+import pytest
+
+from caseTools import Case, Tutorial, timeFolders
+from smallCases import largest
+
+# Path, mesh, end of the run [s], options of Allrun
+TUTORIALS = (
+    ("twoBarImpact/similar", "32", 0.2, {}),
+    ("twoBarImpact/dissimilar", "32", 0.2, {}),
+    ("ringCollision", "4", 0.0085, {}),
+    ("nearlyIncompressibleBars", "4", 1.1e-4, {}),
+    ("nonMatchingBars", "2", 2e-5, {}),
+    ("nonMatchingBars", "2", 2e-5, {"PAIRING": "nearestFace"}),
+    ("torusImpact", "2", 0.008, {}),
+    ("torusImpact/elastoPlastic", "2", 0.008, {}),
+    ("hertzContact", "2", 0.002, {}),
+    ("hertzContact", "2", 0.002, {"SCENE": "spheres"}),
+    ("selfContact", "3", 0.0035, {}),
+    ("taylorBar", "2", 1e-5, {}),
+    ("twistingColumn", "2", 0.02, {}),
+    ("spinningCube", "3", 0.02, {}),
+)
+DECOMPOSITIONS = ((2, "metis"), (3, "random"), (4, "metis"))
+
+
+def scene(path, mesh, end, options):
+    return Tutorial(path, mesh, control=(("endTime", end),
+                                         ("writeInterval", end)),
+                    options=tuple(options.items()))
+
+
+SCENES = [scene(*t) for t in TUTORIALS]
+
+
+@pytest.mark.scenes(*SCENES)
+@pytest.mark.parametrize("scene", SCENES, ids=[
+    " ".join((path, *options.values())) for path, _, _, options in TUTORIALS])
+def test_decompositions(run, tmp_path, figures, scene):
+    serial = run(scene)
+    last = timeFolders(serial.path)[-1]
+    contact = list((serial/"postProcessing").glob("contactForces/*/*.dat"))
+    if contact:
+        assert any(serial.contact(file.stem)["area"].max() > 0
+                   for file in contact)
+    for ranks, method in DECOMPOSITIONS:
+        case = Case(shutil.copytree(serial.path, tmp_path/f"{ranks}{method}",
+                                    ignore=shutil.ignore_patterns(
+                                        last, "postProcessing")))
+        case.runParallel(ranks, method)
+        with figures(f"{scene.path} {dict(scene.options)}, {ranks} ranks, "
+                     f"{method}") as f:
+            worst, where = 0, ""
+            for region in serial.regions:
+                for file in sorted((serial/last/region).iterdir()):
+                    if not file.is_file():
+                        continue
+                    a, b = (c.field(last, region, file.name)
+                            for c in (serial, case))
+                    error = largest(a - b)/max(largest(a), 1e-12)
+                    if error >= worst:
+                        worst, where = error, f"{region} {file.name}"
+            f.atMost(f"largest difference / largest value, {where}", worst,
+                     1e-10)
+        shutil.rmtree(case.path)
