@@ -1,45 +1,20 @@
-"""Every tutorial, on a coarse mesh and until its bodies are in contact: every
-field on 2, 3 and 4 ranks is the serial one."""
+"""Every tutorial, on a coarse mesh and until its bodies are in contact: fields
+are those of the stored references, and on 2, 3 and 4 ranks the serial ones."""
 
+import json
 import shutil
 
 import pytest
 
-from caseTools import Case, Tutorial, timeFolders
+from caseTools import Case, timeFolders
+from fieldReferences import FILE, NAMES, SCENES, norms
 from smallCases import largest
 
-# Path, mesh, end of the run [s], options of Allrun
-TUTORIALS = (
-    ("twoBarImpact/similar", "32", 0.2, {}),
-    ("twoBarImpact/dissimilar", "32", 0.2, {}),
-    ("ringCollision", "4", 0.0085, {}),
-    ("nearlyIncompressibleBars", "4", 1.1e-4, {}),
-    ("nonMatchingBars", "1", 8e-6, {}),
-    ("nonMatchingBars", "1", 8e-6, {"PAIRING": "nearestFace"}),
-    ("torusImpact", "2", 0.005, {}),
-    ("torusImpact/elastoPlastic", "2", 0.005, {}),
-    ("hertzContact", "2", 8e-4, {}),
-    ("hertzContact", "2", 8e-4, {"SCENE": "spheres"}),
-    ("selfContact", "3", 0.0035, {}),
-    ("taylorBar", "2", 1e-5, {}),
-    ("twistingColumn", "2", 0.02, {}),
-    ("spinningCube", "3", 0.02, {}),
-)
 DECOMPOSITIONS = ((2, "metis"), (3, "random"), (4, "metis"))
 
 
-def scene(path, mesh, end, options):
-    return Tutorial(path, mesh, control=(("endTime", end),
-                                         ("writeInterval", end)),
-                    options=tuple(options.items()))
-
-
-SCENES = [scene(*t) for t in TUTORIALS]
-
-
 @pytest.mark.scenes(*SCENES)
-@pytest.mark.parametrize("scene", SCENES, ids=[
-    " ".join((path, *options.values())) for path, _, _, options in TUTORIALS])
+@pytest.mark.parametrize("scene", SCENES, ids=NAMES)
 def test_decompositions(run, tmp_path, figures, scene):
     serial = run(scene)
     last = timeFolders(serial.path)[-1]
@@ -72,3 +47,19 @@ def test_decompositions(run, tmp_path, figures, scene):
             f.atMost(f"largest difference / largest value, {where}", worst,
                      1e-10)
         shutil.rmtree(case.path)
+
+
+@pytest.mark.scenes(*SCENES)
+@pytest.mark.parametrize("scene, name", zip(SCENES, NAMES), ids=NAMES)
+def test_references(run, figures, scene, name):
+    """Contact, and another compiler, make some 1e-12 of round-off more."""
+    reference = json.loads(FILE.read_text())[name]
+    ours = norms(run(scene))
+    assert sorted(ours) == sorted(reference)
+    scale = {key: reference[key.replace("contactGap", "pointD")][0]
+             for key in reference}
+    error = {key: max(abs(a - b) for a, b in zip(ours[key], reference[key]))
+             / max(scale[key], 1e-12) for key in reference}
+    worst = max(error, key=error.get)
+    with figures(f"{name} against its reference") as f:
+        f.atMost(f"largest difference / norm, {worst}", error[worst], 1e-9)

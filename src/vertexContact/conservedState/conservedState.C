@@ -35,7 +35,8 @@ Foam::conservedState::conservedState
     lm(nNodes*nDim, Zero),
     disp(nNodes*nDim, Zero),
     F(nNodes*nDim*nDim, Zero),
-    H(nNodes*strideH, Zero),
+    // One more, to be read with the last column
+    H(nNodes*strideH + (strideH == 9 ? 1 : 0), Zero),
     J(solvesJ ? nNodes : 0, scalar(1))
 {
     const label dd = nDim*nDim;

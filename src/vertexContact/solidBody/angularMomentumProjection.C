@@ -71,12 +71,12 @@ void Foam::angularMomentumProjection::measureTorque
     const scalar dt
 )
 {
-    const scalar* force = d.rateLm.cdata();
+    const scalar* force = d.rates.cdata();
     torque_ = Zero;
     for (label a = 0; a < d.nNodes(); ++a)
     {
         vector f(Zero);
-        for (direction i = 0; i < D; ++i) f[i] = force[a*D + i];
+        for (direction i = 0; i < D; ++i) f[i] = force[a*d.strideRates + i];
         torque_ += arm<D>(d, a, dt) ^ f;
     }
 }
@@ -135,7 +135,7 @@ Foam::scalar Foam::angularMomentumProjection::project
         omega = inv(inertia) & torque;
     }
 
-    scalar* rateLm = d.rateLm.data();
+    scalar* rates = d.rates.data();
     scalar power = 0;
     for (label a = 0; a < d.nNodes(); ++a)
     {
@@ -143,8 +143,8 @@ Foam::scalar Foam::angularMomentumProjection::project
         scalar vChange = 0;
         for (direction i = 0; i < D; ++i)
         {
-            rateLm[a*D + i] -= change[i];
-            vChange += d.W[a*d.nW + i]*change[i];
+            rates[a*d.strideRates + i] -= change[i];
+            vChange += d.W[a*d.strideW + i]*change[i];
         }
         if (owned[a]) power += V[a]*vChange;
     }

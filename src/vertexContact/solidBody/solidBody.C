@@ -223,39 +223,41 @@ void Foam::solidBody::makeCorners()
 }
 
 
-void Foam::solidBody::syncRates()
+void Foam::solidBody::symmetriseGradients()
 {
-    const nodeSharing& sharing = dual_.sharing();
     const label d = dual_.nDim();
-    const bool full = options_.reconstruction == reconstructionType::full;
+    const label stride = d*data_.strideG;
 
-    if (full && data_.nSJ)
+    // Place of the derivative in direction m of component k
+    const auto place = [&](const label k, const label m)
     {
-        sharing.sum
-        ({
-            {data_.rateLm.data(), d}, {data_.waveSum.data(), 1},
-            {data_.rateF.data(), d*d}, {data_.rateJ.data(), 1}
-        });
+        return m*data_.strideG + k;
+    };
+
+    labelList ofVector(d*d), ofScalar(d), ofTensor(d*d*d);
+    for (label i = 0; i < d; ++i)
+    {
+        ofScalar[i] = place(d, i);
+        for (label j = 0; j < d; ++j)
+        {
+            ofVector[i*d + j] = place(i, j);
+            for (label m = 0; m < d; ++m)
+            {
+                ofTensor[(i*d + j)*d + m] =
+                    place(data_.offsetP() + j*d + i, m);
+            }
+        }
     }
-    else if (full)
+
+    scalar* grad = data_.grad.data();
+    symmetry_.symmetrise(grad, stride, ofVector);
+    if (data_.nSJ && data_.nG > d)
     {
-        sharing.sum
-        ({
-            {data_.rateLm.data(), d}, {data_.waveSum.data(), 1},
-            {data_.rateF.data(), d*d}
-        });
+        symmetry_.symmetrise(grad, stride, ofScalar);
     }
-    else if (data_.nSJ)
+    if (options_.reconstruction == reconstructionType::full)
     {
-        sharing.sum
-        ({
-            {data_.rateLm.data(), d}, {data_.waveSum.data(), 1},
-            {data_.rateJ.data(), 1}
-        });
-    }
-    else
-    {
-        sharing.sum({{data_.rateLm.data(), d}, {data_.waveSum.data(), 1}});
+        symmetry_.symmetrise(grad, stride, ofTensor);
     }
 }
 
@@ -269,10 +271,10 @@ void Foam::solidBody::addBodyForces(const scalar time, const bool energy)
     // Force per volume
     const auto add = [&](const label a, const label i, const scalar f)
     {
-        data_.rateLm[a*d + i] += f;
+        data_.rates[a*data_.strideRates + i] += f;
         if (energy && owned[a])
         {
-            powers_.external += dual_.nodeVolume()[a]*f*v[a*data_.nW + i];
+            powers_.external += dual_.nodeVolume()[a]*f*v[a*data_.strideW + i];
         }
     };
 
@@ -525,7 +527,7 @@ void Foam::solidBody::prepare(const scalar time)
         data_.state,
         data_.W.data() + data_.offsetP(),
         data_.nSJ ? data_.W.data() + data_.nDim() : nullptr,
-        data_.nW
+        data_.strideW
     );
 
     forAll(corners_, patchi)
@@ -556,8 +558,6 @@ void Foam::solidBody::computeRates
 {
     const label d = dual_.nDim();
     const nodeSharing& sharing = dual_.sharing();
-    const bool reconstructed =
-        options_.reconstruction != reconstructionType::none;
     const bool full = options_.reconstruction == reconstructionType::full;
 
     const auto states = [&](const label patchi)
@@ -577,25 +577,12 @@ void Foam::solidBody::computeRates
             );
         }
     }
-    scalarField& gradient = reconstructed ? data_.grad : data_.rateF;
-    const label stride = reconstructed ? data_.nR*d : d*d;
-    sharing.sum(gradient.data(), stride);
+    sharing.sum(data_.grad.data(), d*data_.strideG);
 
     // Pass B: nodes
     if (symmetry_.active())
     {
-        symmetry_.symmetrise(gradient.data(), stride, 2);
-        if (reconstructed && data_.nSJ)
-        {
-            symmetry_.symmetrise(gradient.data() + d*d, stride, 1);
-        }
-        if (full)
-        {
-            symmetry_.symmetrise
-            (
-                gradient.data() + data_.offsetP()*d, stride, 3
-            );
-        }
+        symmetriseGradients();
     }
     kernel_->scaleGradients(data_);
     if (full)
@@ -631,7 +618,7 @@ void Foam::solidBody::computeRates
         }
     }
     powers_.numericalDissipation = data_.numericalDissipation;
-    syncRates();
+    sharing.sum(data_.rates.data(), data_.strideRates);
     kernel_->scaleRates(data_);
     if (angularMomentum_.active())
     {
@@ -642,10 +629,13 @@ void Foam::solidBody::computeRates
 
     if (symmetry_.active())
     {
-        symmetry_.project(data_.rateLm);
+        symmetry_.project(data_.rates.data(), data_.strideRates);
         if (full)
         {
-            symmetry_.symmetrise(data_.rateF.data(), d*d, 2);
+            symmetry_.symmetrise
+            (
+                data_.rates.data() + data_.offsetRateF(), data_.strideRates
+            );
         }
     }
 }

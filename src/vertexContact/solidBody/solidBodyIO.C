@@ -165,7 +165,7 @@ void Foam::solidBody::readState()
                 const SolidTensor<3> G = cofactor(loadF<3>(Fs, a));
                 for (label k = 0; k < 9; ++k)
                 {
-                    s.H[9*a + k] =
+                    s.H[9*a + placeH(k)] =
                         H.valid() ? H().primitiveField()[point[a]][k]
                       : G.in[k];
                 }
@@ -221,7 +221,7 @@ void Foam::solidBody::readState()
 
     const scalar removed = returnReduce
     (
-        symmetry_.project(s.lm), maxOp<scalar>()
+        symmetry_.project(s.lm.data(), d), maxOp<scalar>()
     );
     if (removed > 1e-10*data_.rho*data_.cp)
     {
@@ -297,7 +297,7 @@ void Foam::solidBody::deformationFromDisplacement()
         }
     }
     dual_.sharing().sum(G.data(), d*d);
-    symmetry_.symmetrise(G.data(), d*d, 2);
+    symmetry_.symmetrise(G.data(), d*d);
 
     for (label a = 0; a < dual_.nNodes(); ++a)
     {
@@ -308,7 +308,10 @@ void Foam::solidBody::deformationFromDisplacement()
         if (d == 3)
         {
             const SolidTensor<3> H = cofactor(loadF<3>(F, a));
-            for (label k = 0; k < s.strideH; ++k) s.H[9*a + k] = H.in[k];
+            for (label k = 0; k < s.strideH; ++k)
+            {
+                s.H[9*a + placeH(k)] = H.in[k];
+            }
             if (s.solvesJ) s.J[a] = determinant(loadF<3>(F, a), H);
         }
         else if (d == 2)
@@ -370,7 +373,10 @@ void Foam::solidBody::write()
                 tensor H(Zero);
                 if (d == 3)
                 {
-                    for (label k = 0; k < 9; ++k) H[k] = s.H[9*a + k];
+                    for (label k = 0; k < 9; ++k)
+                    {
+                        H[k] = s.H[9*a + placeH(k)];
+                    }
                 }
                 else
                 {
@@ -522,7 +528,10 @@ void Foam::solidBody::report(Ostream& os) const
         << " components" << nl
         << "    H solved " << onOff(s.solvesH)
         << ", J solved " << onOff(s.solvesJ)
-        << ", gradients " << onOff(data_.nR > 0)
+        << ", gradients " << onOff
+           (
+               data_.reconstruction != reconstructionType::none
+           )
         << ", limiter " << onOff(options_.limiter != limiterType::none)
         << ", angular momentum preserved " << onOff(angularMomentum_.active())
         << ", gravity " << onOff(mag(max(gravity_)) + mag(min(gravity_)) > 0)

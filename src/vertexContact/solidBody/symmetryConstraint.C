@@ -219,14 +219,18 @@ void Foam::symmetryConstraint::projectEdges
 }
 
 
-Foam::scalar Foam::symmetryConstraint::project(scalarField& v) const
+Foam::scalar Foam::symmetryConstraint::project
+(
+    scalar* data,
+    const label stride
+) const
 {
     const label d = nDim_;
     scalar removed = 0;
 
     forAll(nodes_, i)
     {
-        scalar* p = v.data() + nodes_[i]*d;
+        scalar* p = data + nodes_[i]*stride;
         for (label k = start_[i]; k < start_[i + 1]; ++k)
         {
             const scalar* n = normals_.cdata() + k*d;
@@ -245,19 +249,34 @@ void Foam::symmetryConstraint::symmetrise
 (
     scalar* data,
     const label stride,
-    const label rank
+    const labelUList& place
 ) const
 {
+    const label n = place.size();
+    const label rank =
+        n == nDim_ ? 1 : n == nDim_*nDim_ ? 2 : 3;
+    FixedList<scalar, 27> T;
+
     forAll(nodes_, i)
     {
+        scalar* p = data + nodes_[i]*stride;
+        for (label c = 0; c < n; ++c) T[c] = p[place[c]];
         for (label k = start_[i]; k < start_[i + 1]; ++k)
         {
-            symmetrise
-            (
-                data + nodes_[i]*stride, rank, normals_.cdata() + k*nDim_
-            );
+            symmetrise(T.data(), rank, normals_.cdata() + k*nDim_);
         }
+        for (label c = 0; c < n; ++c) p[place[c]] = T[c];
     }
+}
+
+
+void Foam::symmetryConstraint::symmetrise
+(
+    scalar* data,
+    const label stride
+) const
+{
+    symmetrise(data, stride, identity(nDim_*nDim_));
 }
 
 

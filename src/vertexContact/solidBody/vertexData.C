@@ -31,18 +31,28 @@ Foam::vertexData::vertexData
     old(state),
     nSJ(state.solvesJ ? 1 : 0),
     nW(dual.nDim() + nSJ + dual.nDim()*dual.nDim()),
-    nR
+    strideW(paddedStride(nW)),
+    nG
     (
-        reconstruction == reconstructionType::none ? 0
+        reconstruction == reconstructionType::none ? dual.nDim()
       : reconstruction == reconstructionType::linear ? dual.nDim() + nSJ
       : nW
     ),
-    W(dual.nNodes()*nW, Zero),
-    grad(dual.nNodes()*nR*dual.nDim(), Zero),
-    rateLm(dual.nNodes()*dual.nDim(), Zero),
-    rateF(dual.nNodes()*dual.nDim()*dual.nDim(), Zero),
-    rateJ(dual.nNodes()*nSJ, Zero),
-    waveSum(dual.nNodes(), Zero)
+    strideG(paddedStride(nG)),
+    strideRates
+    (
+        paddedStride
+        (
+            dual.nDim() + nSJ + 1
+          + (
+                reconstruction == reconstructionType::full
+              ? dual.nDim()*dual.nDim() : 0
+            )
+        )
+    ),
+    W(dual.nNodes()*strideW),
+    grad(dual.nNodes()*strideG*dual.nDim()),
+    rates(dual.nNodes()*strideRates)
 {}
 
 
@@ -55,8 +65,7 @@ std::size_t Foam::vertexData::bytes() const
       + sizeof(scalar)
        *std::size_t
         (
-            mirrorArea.size() + W.size() + grad.size() + rateLm.size()
-          + rateF.size() + rateJ.size() + waveSum.size()
+            mirrorArea.size() + W.size() + grad.size() + rates.size()
         );
 }
 

@@ -5,8 +5,10 @@
 -------------------------------------------------------------------------------
 Description
     The pass over the edges that sums up the fluxes: nLanes edges at a time,
-    gathered from their nodes, computed together, and added to their nodes one
-    after the other, in the order of the edges.
+    computed together. Components of a node that are neighbours in memory are
+    loaded, and combined for an edge, as rows; the rows of the edges are
+    transposed to lanes; the fluxes are transposed back and added to the nodes
+    as rows, one edge after the other.
 
 \*---------------------------------------------------------------------------*/
 
@@ -18,22 +20,55 @@ Description
 namespace Foam
 {
 
-//- Components of some edges, each as lanes
+//- A row of n scalars of each of some edges, and each of them as lanes
 template<int n>
-struct edgeLanes
+class edgeRows
 {
-    alignas(registerBytes) scalar of[n > 0 ? n : 1][nLanes];
+    static constexpr int stride = nLanes*((n + nLanes - 1)/nLanes);
 
-    lanes operator[](const int k) const
+    alignas(registerBytes) scalar of_[nLanes][stride];
+    lanes as_[stride];
+
+
+public:
+
+    scalar* operator[](const int l) { return of_[l]; }
+
+    //- Lanes of the rows from first on
+    void toLanes(const int first = 0)
     {
-        lanes r;
-        for (int l = 0; l < nLanes; ++l) r[l] = of[k][l];
-        return r;
+        for (int k = first - first % nLanes; k < stride; k += nLanes)
+        {
+            lanes square[nLanes];
+            for (int l = 0; l < nLanes; ++l)
+            {
+                square[l] = reinterpret_cast<const lanes&>(of_[l][k]);
+            }
+            transpose(square);
+            for (int l = 0; l < nLanes; ++l) as_[k + l] = square[l];
+        }
     }
 
-    void set(const int k, const lanes& value)
+    lanes lane(const int k) const { return as_[k]; }
+
+    void set(const int k, const lanes& value) { as_[k] = value; }
+
+    //- Rows of the lanes that were set; those that were not, zero
+    void toRows()
     {
-        for (int l = 0; l < nLanes; ++l) of[k][l] = value[l];
+        for (int k = 0; k < stride; k += nLanes)
+        {
+            lanes square[nLanes];
+            for (int l = 0; l < nLanes; ++l)
+            {
+                square[l] = k + l < n ? as_[k + l] : lanes{};
+            }
+            transpose(square);
+            for (int l = 0; l < nLanes; ++l)
+            {
+                reinterpret_cast<lanes&>(of_[l][k]) = square[l];
+            }
+        }
     }
 };
 
@@ -49,10 +84,9 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
     const scalar* X = d.dual.nodePosition().cdata();
     const scalar* W = d.W.cdata();
     const scalar* grad = d.grad.cdata();
-    scalar* rateLm = d.rateLm.data();
-    scalar* rateF = d.rateF.data();
-    scalar* rateJ = d.rateJ.data();
-    scalar* waveSum = d.waveSum.data();
+    const scalar* F = d.state.F.cdata();
+    const scalar* H = d.state.H.cdata();
+    scalar* rates = d.rates.data();
 
     const label nEdges = d.dual.nEdges();
     const scalar halfZp = 0.5*d.rho*d.cp;
@@ -60,62 +94,148 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
     const scalar perZp = 0.5/(d.rho*d.cp);
     scalar dissipation = 0;
 
+    // Rows of an edge: components of v and SigmaJ, of a column, of gradients
+    constexpr int wU = rowWidth(D + nSJ);
+    constexpr int wC = rowWidth(D);
+    constexpr int wG = strideWidth(sG);
+    constexpr int nU = paddedStride(D + nSJ);
+    constexpr int nC = paddedStride(D);
+
+    // Places of what an edge has of its nodes: area, deformed area (2D: sum of
+    // F), difference and sum of v and SigmaJ, and of the tractions, changes of
+    // both nodes to mid-edge
+    constexpr bool moves = finite && D > 1;
+    constexpr int atArea = 0;
+    constexpr int atDeformed = atArea + nC;
+    constexpr int atDifference = atDeformed + (moves ? 4 : 0);
+    constexpr int atSum = atDifference + nU;
+    constexpr int atT = atSum + (full ? nU : 0);
+    constexpr int atTDifference = atT + nC;
+    constexpr int atChangeA = atTDifference + (full ? nC : 0);
+    constexpr int atChangeB = atChangeA + (none ? 0 : sG);
+    constexpr int nOfNodes = atChangeB + (none ? 0 : sG);
+
+    edgeRows<nOfNodes> of;
+    edgeRows<sRates> flux;
+
+    // The last edges, if they are fewer than lanes
+    label lastEdge[2*nLanes];
+    scalar lastArea[D*nLanes + 4];
+
     for (label e0 = 0; e0 < nEdges; e0 += nLanes)
     {
-        // What the edges need of their nodes; the last ones, if there are too
-        // few, are those of the last edge
-        edgeLanes<nW> Wa, Wb;
-        edgeLanes<nR> changeA, changeB;
-        edgeLanes<D> C, wave;
+        const int some = min(label(nLanes), nEdges - e0);
+        const label* ends = edge + 2*e0;
+        const scalar* areas = edgeArea + D*e0;
+        if (e0 + nLanes >= nEdges)
+        {
+            // Copied, so that rows of areas can be read to their end
+            for (int l = 0; l < nLanes; ++l)
+            {
+                const label e = min(e0 + l, nEdges - 1);
+                for (int i = 0; i < 2; ++i) lastEdge[2*l + i] = edge[2*e + i];
+                for (int i = 0; i < D; ++i)
+                {
+                    lastArea[D*l + i] = edgeArea[D*e + i];
+                }
+            }
+            for (int i = 0; i < 4; ++i) lastArea[D*nLanes + i] = 0;
+            ends = lastEdge;
+            areas = lastArea;
+        }
 
         for (int l = 0; l < nLanes; ++l)
         {
-            const label e = min(e0 + l, nEdges - 1);
-            const label a = edge[2*e], b = edge[2*e + 1];
-            const SolidVector<D> Ce = SolidVector<D>::load(edgeArea + D*e);
-            const SolidVector<D> ce = waveArea(d.state, a, b, Ce);
-            for (int i = 0; i < D; ++i)
+            const label a = ends[2*l], b = ends[2*l + 1];
+            const scalar* C = areas + D*l;
+            const scalar* Wa = W + a*sW;
+            const scalar* Wb = W + b*sW;
+            scalar* to = of[l];
+
+            rowAt<wC>(to + atArea) = rowAt<wC>(C);
+            rowAt<wU>(to + atDifference) = rowAt<wU>(Wb) - rowAt<wU>(Wa);
+            if constexpr (full)
             {
-                C.of[i][l] = Ce[i];
-                wave.of[i][l] = ce[i];
+                rowAt<wU>(to + atSum) = rowAt<wU>(Wa) + rowAt<wU>(Wb);
             }
-            const scalar* ofA = W + a*nW;
-            const scalar* ofB = W + b*nW;
-            for (int k = 0; k < nW; ++k)
+
+            // Sums over the columns of P, and of H
+            row<wC> t{}, tDifference{};
+            for (int j = 0; j < D; ++j)
             {
-                Wa.of[k][l] = ofA[k];
-                Wb.of[k][l] = ofB[k];
+                const row<wC> Pa = rowAt<wC>(Wa + atP + j*D);
+                const row<wC> Pb = rowAt<wC>(Wb + atP + j*D);
+                t += (Pa + Pb)*(0.5*C[j]);
+                if constexpr (full) tDifference += (Pb - Pa)*C[j];
             }
+            rowAt<wC>(to + atT) = t;
+            if constexpr (full) rowAt<wC>(to + atTDifference) = tDifference;
+
+            if constexpr (finite && D == 3)
+            {
+                row<wC> c{};
+                for (int j = 0; j < D; ++j)
+                {
+                    c +=
+                        (
+                            rowAt<wC>(H + 9*a + 3*j)
+                          + rowAt<wC>(H + 9*b + 3*j)
+                        )*(0.5*C[j]);
+                }
+                rowAt<wC>(to + atDeformed) = c;
+            }
+            else if constexpr (finite && D == 2)
+            {
+                rowAt<4>(to + atDeformed) =
+                    rowAt<4>(F + 4*a) + rowAt<4>(F + 4*b);
+            }
+
             if constexpr (!none)
             {
                 // Changes from both nodes to mid-edge
-                SolidVector<D> r;
-                for (int i = 0; i < D; ++i)
+                scalar r[D];
+                for (int j = 0; j < D; ++j)
                 {
-                    r[i] = 0.5*(X[b*D + i] - X[a*D + i]);
+                    r[j] = 0.5*(X[b*D + j] - X[a*D + j]);
                 }
-                const scalar* ga = grad + a*nR*D;
-                const scalar* gb = grad + b*nR*D;
-                for (int k = 0; k < nR; ++k)
+                const scalar* ga = grad + a*sG*D;
+                const scalar* gb = grad + b*sG*D;
+                for (int k = 0; k < sG; k += wG)
                 {
-                    scalar sumA = ga[k*D]*r[0], sumB = gb[k*D]*r[0];
-                    for (int i = 1; i < D; ++i)
+                    row<wG> sumA = rowAt<wG>(ga + k)*r[0];
+                    row<wG> sumB = rowAt<wG>(gb + k)*r[0];
+                    for (int j = 1; j < D; ++j)
                     {
-                        sumA += ga[k*D + i]*r[i];
-                        sumB += gb[k*D + i]*r[i];
+                        sumA += rowAt<wG>(ga + j*sG + k)*r[j];
+                        sumB += rowAt<wG>(gb + j*sG + k)*r[j];
                     }
-                    changeA.of[k][l] = sumA;
-                    changeB.of[k][l] = sumB;
+                    rowAt<wG>(to + atChangeA + k) = sumA;
+                    rowAt<wG>(to + atChangeB + k) = sumB;
                 }
             }
         }
+        of.toLanes();
 
         // Direction of the waves (65)
         vectorLanes area, c, n;
-        for (int i = 0; i < D; ++i)
+        for (int i = 0; i < D; ++i) area[i] = of.lane(atArea + i);
+        if constexpr (finite && D == 3)
         {
-            area[i] = C[i];
-            c[i] = wave[i];
+            for (int i = 0; i < D; ++i) c[i] = of.lane(atDeformed + i);
+        }
+        else if constexpr (finite && D == 2)
+        {
+            // The in-plane cofactor is a permutation of F
+            const auto twiceF = [&](const int k)
+            {
+                return of.lane(atDeformed + k);
+            };
+            c[0] = 0.5*(twiceF(3)*area[0] - twiceF(2)*area[1]);
+            c[1] = 0.5*(twiceF(0)*area[1] - twiceF(1)*area[0]);
+        }
+        else
+        {
+            c = area;
         }
         const lanes cc = dot(c, c);
         const lanes magC = squareRoot(dot(area, area));
@@ -133,17 +253,16 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
         vectorLanes difference, jump, vAvg, t, tDifference;
         for (int i = 0; i < D; ++i)
         {
-            difference[i] = jump[i] = Wb[i] - Wa[i];
-            vAvg[i] = 0.5*(Wa[i] + Wb[i]);
-            t[i] = tDifference[i] = lanes{};
-            for (int j = 0; j < D; ++j)
+            difference[i] = jump[i] = of.lane(atDifference + i);
+            t[i] = of.lane(atT + i);
+            if constexpr (full)
             {
-                const lanes Pa = Wa[atP + i*D + j], Pb = Wb[atP + i*D + j];
-                t[i] += 0.5*(Pa + Pb)*area[j];
-                tDifference[i] += (Pb - Pa)*area[j];
+                vAvg[i] = 0.5*of.lane(atSum + i);
+                tDifference[i] = of.lane(atTDifference + i);
             }
         }
-        const lanes differenceSJ = nSJ == 1 ? Wb[D] - Wa[D] : lanes{};
+        const lanes differenceSJ =
+            nSJ == 1 ? of.lane(atDifference + D) : lanes{};
         lanes jumpSJ = differenceSJ;
 
         // Corrections of the averages
@@ -154,8 +273,8 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
             vectorLanes da, db;
             for (int i = 0; i < D; ++i)
             {
-                da[i] = changeA[i];
-                db[i] = changeB[i];
+                da[i] = of.lane(atChangeA + i);
+                db[i] = of.lane(atChangeB + i);
             }
             if constexpr (full)
             {
@@ -176,11 +295,11 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
                 jumpSJ -=
                     slopeLimiter::limited<limiter, lanes>
                     (
-                        changeA[D], differenceSJ
+                        of.lane(atChangeA + D), differenceSJ
                     )
                   + slopeLimiter::limited<limiter, lanes>
                     (
-                        changeB[D], differenceSJ
+                        of.lane(atChangeB + D), differenceSJ
                     );
                 if constexpr (linear)
                 {
@@ -198,9 +317,9 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
                     da[i] = db[i] = lanes{};
                     for (int j = 0; j < D; ++j)
                     {
-                        const int k = atP + i*D + j;
-                        da[i] += changeA[k]*area[j];
-                        db[i] += changeB[k]*area[j];
+                        const int k = atP_(i, j);
+                        da[i] += of.lane(atChangeA + k)*area[j];
+                        db[i] += of.lane(atChangeB + k)*area[j];
                     }
                 }
                 tCorrection = slopeLimiter::limitAverage<limiter>
@@ -228,24 +347,20 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
         const lanes fluxJ =
             nSJ == 1 ? perZp*cc/(waveC + VSMALL)*jumpSJ : lanes{};
 
-        edgeLanes<D> force;
-        edgeLanes<D*D> velocity;
-        edgeLanes<1> volume, speed, lost;
-        for (int i = 0; i < D; ++i)
+        for (int i = 0; i < D; ++i) flux.set(i, t[i] + dissipative[i]);
+        if constexpr (nSJ == 1) flux.set(D, fluxJ);
+        flux.set(atWave, waveC);
+        if constexpr (full)
         {
-            force.set(i, t[i] + dissipative[i]);
-
             // Velocity of the kinematic fluxes (63a)
-            if constexpr (full)
+            for (int i = 0; i < D; ++i)
             {
                 for (int j = 0; j < D; ++j)
                 {
-                    velocity.set(i*D + j, vAvg[i]*area[j]);
+                    flux.set(atRateF + i*D + j, vAvg[i]*area[j]);
                 }
             }
         }
-        if constexpr (nSJ == 1) volume.set(0, fluxJ);
-        speed.set(0, waveC);
 
         // Discrete energy equation of the edge, what its fluxes take from the
         // two nodes beyond the telescoping part (68), (72):
@@ -259,35 +374,25 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
                 power += difference[i]*dissipative[i];
                 if constexpr (full) power += vCorrection[i]*tDifference[i];
             }
-            lost.set(0, power);
+            for (int l = 0; l < some; ++l) dissipation += power[l];
         }
 
-        // To the nodes
-        const int some = min(label(nLanes), nEdges - e0);
+        // To the nodes; the waves add up at both
+        constexpr int wR = strideWidth(sRates);
+        constexpr int nRates = atRateF + (full ? nP : 0);
+        for (int k = nRates; k < sRates; ++k) flux.set(k, lanes{});
+        flux.toRows();
         for (int l = 0; l < some; ++l)
         {
-            const label a = edge[2*(e0 + l)], b = edge[2*(e0 + l) + 1];
-            for (int i = 0; i < D; ++i)
+            scalar* ra = rates + ends[2*l]*sRates;
+            scalar* rb = rates + ends[2*l + 1]*sRates;
+            const scalar* f = flux[l];
+            for (int k = 0; k < sRates; k += wR)
             {
-                rateLm[a*D + i] += force.of[i][l];
-                rateLm[b*D + i] -= force.of[i][l];
+                rowAt<wR>(ra + k) += rowAt<wR>(f + k);
+                rowAt<wR>(rb + k) -= rowAt<wR>(f + k);
             }
-            if constexpr (full)
-            {
-                for (int k = 0; k < nP; ++k)
-                {
-                    rateF[a*nP + k] += velocity.of[k][l];
-                    rateF[b*nP + k] -= velocity.of[k][l];
-                }
-            }
-            if constexpr (nSJ == 1)
-            {
-                rateJ[a] += volume.of[0][l];
-                rateJ[b] -= volume.of[0][l];
-            }
-            waveSum[a] += speed.of[0][l];
-            waveSum[b] += speed.of[0][l];
-            if constexpr (energy) dissipation += lost.of[0][l];
+            rb[atWave] += 2*f[atWave];
         }
     }
 

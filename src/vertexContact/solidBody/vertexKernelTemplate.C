@@ -15,6 +15,29 @@ namespace Foam
 {
 
 template<int D, int nSJ, reconstructionType R, bool finite>
+inline SolidTensor<D> vertexKernelTemplate<D, nSJ, R, finite>::rateF
+(
+    const vertexData& d,
+    const label a
+)
+{
+    SolidTensor<D> G;
+    for (int i = 0; i < D; ++i)
+    {
+        for (int j = 0; j < D; ++j)
+        {
+            G(i, j) =
+                full
+              ? d.rates[a*sRates + atRateF + i*D + j]
+              : d.grad[a*sG*D + atGrad(i, j)];
+        }
+    }
+    G.out = 0;
+    return G;
+}
+
+
+template<int D, int nSJ, reconstructionType R, bool finite>
 inline SolidVector<D> vertexKernelTemplate<D, nSJ, R, finite>::waveArea
 (
     const conservedState& s,
@@ -48,7 +71,7 @@ inline SolidVector<D> vertexKernelTemplate<D, nSJ, R, finite>::waveArea
             c[i] = 0;
             for (int j = 0; j < 3; ++j)
             {
-                c[i] += 0.5*(Ha[3*i + j] + Hb[3*i + j])*C[j];
+                c[i] += 0.5*(Ha[3*j + i] + Hb[3*j + i])*C[j];
             }
         }
         return c;
@@ -68,7 +91,7 @@ void vertexKernelTemplate<D, nSJ, R, finite>::velocities(vertexData& d) const
 
     for (label a = 0; a < n; ++a)
     {
-        for (int i = 0; i < D; ++i) W[a*nW + i] = perRho*lm[a*D + i];
+        for (int i = 0; i < D; ++i) W[a*sW + i] = perRho*lm[a*D + i];
     }
 
     if constexpr (finite && D == 3)
@@ -80,7 +103,7 @@ void vertexKernelTemplate<D, nSJ, R, finite>::velocities(vertexData& d) const
             {
                 const SolidTensor<3> G =
                     cofactor(loadF<3>(d.state.F.cdata(), a));
-                for (int k = 0; k < 9; ++k) H[9*a + k] = G.in[k];
+                for (int k = 0; k < 9; ++k) H[9*a + placeH(k)] = G.in[k];
             }
         }
     }
@@ -112,8 +135,8 @@ void vertexKernelTemplate<D, nSJ, R, finite>::corners
         for (int i = 0; i < D; ++i)
         {
             scalar PN = 0;
-            for (int j = 0; j < D; ++j) PN += W[a*nW + atP + i*D + j]*N[j];
-            v[dir[i]] = W[a*nW + i];
+            for (int j = 0; j < D; ++j) PN += W[a*sW + atP_(i, j)]*N[j];
+            v[dir[i]] = W[a*sW + i];
             t[dir[i]] = PN;
             n[dir[i]] = h[i]/magH;
         }
@@ -125,49 +148,28 @@ void vertexKernelTemplate<D, nSJ, R, finite>::corners
 template<int D, int nSJ, reconstructionType R, bool finite>
 void vertexKernelTemplate<D, nSJ, R, finite>::gradients(vertexData& d) const
 {
+    constexpr int w = strideWidth(sG);
     const label* edge = d.dual.edgeNodes().cdata();
     const scalar* area = d.edgeArea();
     const scalar* W = d.W.cdata();
     const label nEdges = d.dual.nEdges();
 
-    if constexpr (none)
+    d.grad = Zero;
+    scalar* grad = d.grad.data();
+    for (label e = 0; e < nEdges; ++e)
     {
-        // The gradient of v is the rate of F (63a)
-        d.rateF = Zero;
-        scalar* rateF = d.rateF.data();
-        for (label e = 0; e < nEdges; ++e)
+        const label a = edge[2*e], b = edge[2*e + 1];
+        scalar* ga = grad + a*sG*D;
+        scalar* gb = grad + b*sG*D;
+        for (int k = 0; k < sG; k += w)
         {
-            const label a = edge[2*e], b = edge[2*e + 1];
-            for (int i = 0; i < D; ++i)
+            const row<w> average =
+                0.5*(rowAt<w>(W + a*sW + k) + rowAt<w>(W + b*sW + k));
+            for (int j = 0; j < D; ++j)
             {
-                const scalar avg = 0.5*(W[a*nW + i] + W[b*nW + i]);
-                for (int j = 0; j < D; ++j)
-                {
-                    const scalar f = avg*area[D*e + j];
-                    rateF[a*nP + i*D + j] += f;
-                    rateF[b*nP + i*D + j] -= f;
-                }
-            }
-        }
-    }
-    else
-    {
-        d.grad = Zero;
-        scalar* grad = d.grad.data();
-        for (label e = 0; e < nEdges; ++e)
-        {
-            const label a = edge[2*e], b = edge[2*e + 1];
-            scalar* ga = grad + a*nR*D;
-            scalar* gb = grad + b*nR*D;
-            for (int k = 0; k < nR; ++k)
-            {
-                const scalar avg = 0.5*(W[a*nW + k] + W[b*nW + k]);
-                for (int j = 0; j < D; ++j)
-                {
-                    const scalar f = avg*area[D*e + j];
-                    ga[k*D + j] += f;
-                    gb[k*D + j] -= f;
-                }
+                const row<w> f = average*area[D*e + j];
+                rowAt<w>(ga + j*sG + k) += f;
+                rowAt<w>(gb + j*sG + k) -= f;
             }
         }
     }
@@ -184,8 +186,7 @@ void vertexKernelTemplate<D, nSJ, R, finite>::addBoundaryGradients
 {
     const FixedList<label, 3>& dir = d.dual.directions();
     const scalar* W = d.W.cdata();
-    scalar* target = none ? d.rateF.data() : d.grad.data();
-    constexpr int nG = none ? D : nR;
+    scalar* grad = d.grad.data();
 
     for (label f = 0; f < patch.nFaces(); ++f)
     {
@@ -199,7 +200,7 @@ void vertexKernelTemplate<D, nSJ, R, finite>::addBoundaryGradients
             // Values of corner j: velocity flux, nodal stresses
             const label b = patch.cornerNode[start + j];
             scalar u[nW];
-            for (int k = 0; k < nG; ++k) u[k] = W[b*nW + k];
+            for (int k = 0; k < nG; ++k) u[k] = W[b*sW + k];
             if (c)
             {
                 for (int i = 0; i < D; ++i) u[i] = c->vB[start + j][dir[i]];
@@ -207,12 +208,14 @@ void vertexKernelTemplate<D, nSJ, R, finite>::addBoundaryGradients
 
             for (label p = 0; p < nf; ++p)
             {
-                scalar* g =
-                    target + label(nG)*D*patch.cornerNode[start + p];
+                scalar* g = grad + label(sG)*D*patch.cornerNode[start + p];
                 const scalar* wpj = w + D*(p*nf + j);
                 for (int k = 0; k < nG; ++k)
                 {
-                    for (int i = 0; i < D; ++i) g[k*D + i] += u[k]*wpj[i];
+                    for (int i = 0; i < D; ++i)
+                    {
+                        g[atGrad(k, i)] += u[k]*wpj[i];
+                    }
                 }
             }
         }
@@ -226,34 +229,15 @@ void vertexKernelTemplate<D, nSJ, R, finite>::scaleGradients
     vertexData& d
 ) const
 {
+    constexpr int w = strideWidth(sG);
     const scalar* V = d.dual.nodeVolume().cdata();
     const label n = d.nNodes();
-    scalar* rateF = d.rateF.data();
+    scalar* grad = d.grad.data();
 
-    if constexpr (none)
+    for (label a = 0; a < n; ++a)
     {
-        for (label a = 0; a < n; ++a)
-        {
-            const scalar perV = 1/V[a];
-            for (int k = 0; k < nP; ++k) rateF[a*nP + k] *= perV;
-        }
-    }
-    else
-    {
-        scalar* grad = d.grad.data();
-        for (label a = 0; a < n; ++a)
-        {
-            const scalar perV = 1/V[a];
-            for (int k = 0; k < nR*D; ++k) grad[a*nR*D + k] *= perV;
-            if constexpr (!full)
-            {
-                // v is the first of the reconstructed components
-                for (int k = 0; k < nP; ++k)
-                {
-                    rateF[a*nP + k] = grad[a*nR*D + k];
-                }
-            }
-        }
+        const scalar perV = 1/V[a];
+        for (int k = 0; k < sG*D; k += w) rowAt<w>(grad + a*sG*D + k) *= perV;
     }
 }
 
@@ -291,11 +275,12 @@ void vertexKernelTemplate<D, nSJ, R, finite>::relaxFree
             {
                 for (int j = 0; j < D; ++j)
                 {
-                    const scalar* gP =
-                        grad + (a*nR + atP + i*D + j)*D;
-                    change +=
-                        c.n[k][dir[i]]*N[j]
-                       *dot(SolidVector<D>::load(gP), N);
+                    scalar along = 0;
+                    for (int m = 0; m < D; ++m)
+                    {
+                        along += grad[a*sG*D + atGrad(atP_(i, j), m)]*N[m];
+                    }
+                    change += c.n[k][dir[i]]*N[j]*along;
                 }
             }
             const scalar inside = here - depth[k]*change;
@@ -318,13 +303,7 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxes
     const bool energy
 ) const
 {
-    d.rateLm = Zero;
-    d.rateJ = Zero;
-    d.waveSum = Zero;
-    if constexpr (full)
-    {
-        d.rateF = Zero;
-    }
+    d.rates = Zero;
 
     const auto run = [&](auto limiter)
     {
@@ -371,8 +350,7 @@ scalar vertexKernelTemplate<D, nSJ, R, finite>::addBoundaryFluxes
 {
     const FixedList<label, 3>& dir = d.dual.directions();
     const scalar* W = d.W.cdata();
-    scalar* rateLm = d.rateLm.data();
-    scalar* rateF = d.rateF.data();
+    scalar* rates = d.rates.data();
     scalar power = 0, storage = 0;
 
     for (label f = 0; f < patch.nFaces(); ++f)
@@ -386,7 +364,7 @@ scalar vertexKernelTemplate<D, nSJ, R, finite>::addBoundaryFluxes
         for (label p = 0; p < nf; ++p)
         {
             const label a = patch.cornerNode[start + p];
-            const scalar* Wa = W + a*nW;
+            const scalar* Wa = W + a*sW;
 
             SolidVector<D> force, vP;
             scalar L[nP];
@@ -399,7 +377,7 @@ scalar vertexKernelTemplate<D, nSJ, R, finite>::addBoundaryFluxes
                 for (int i = 0; i < D; ++i)
                 {
                     const scalar vBj =
-                        c ? c->vB[start + j][dir[i]] : W[b*nW + i];
+                        c ? c->vB[start + j][dir[i]] : W[b*sW + i];
                     if (c) force[i] += s[p*nf + j]*c->tB[start + j][dir[i]];
                     for (int k = 0; k < D; ++k)
                     {
@@ -409,10 +387,13 @@ scalar vertexKernelTemplate<D, nSJ, R, finite>::addBoundaryFluxes
                 }
             }
 
-            for (int i = 0; i < D; ++i) rateLm[a*D + i] += force[i];
+            for (int i = 0; i < D; ++i) rates[a*sRates + i] += force[i];
             if constexpr (full)
             {
-                for (int k = 0; k < nP; ++k) rateF[a*nP + k] += L[k];
+                for (int k = 0; k < nP; ++k)
+                {
+                    rates[a*sRates + atRateF + k] += L[k];
+                }
             }
 
             if (energy)
@@ -432,7 +413,7 @@ scalar vertexKernelTemplate<D, nSJ, R, finite>::addBoundaryFluxes
                             areaK += w[D*(p*nf + j) + k];
                         }
                         storage +=
-                            Wa[atP + i*D + k]*(L[i*D + k] - Wa[i]*areaK);
+                            Wa[atP_(i, k)]*(L[i*D + k] - Wa[i]*areaK);
                     }
                 }
             }
@@ -456,12 +437,12 @@ void vertexKernelTemplate<D, nSJ, R, finite>::scaleRates
     for (label a = 0; a < n; ++a)
     {
         const scalar perV = 1/V[a];
-        for (int i = 0; i < D; ++i) d.rateLm[a*D + i] *= perV;
+        scalar* r = d.rates.data() + a*sRates;
+        for (int i = 0; i < atWave; ++i) r[i] *= perV;
         if constexpr (full)
         {
-            for (int k = 0; k < nP; ++k) d.rateF[a*nP + k] *= perV;
+            for (int k = 0; k < nP; ++k) r[atRateF + k] *= perV;
         }
-        if constexpr (nSJ == 1) d.rateJ[a] *= perV;
     }
 }
 
@@ -496,8 +477,8 @@ label vertexKernelTemplate<D, nSJ, R, finite>::advance
 
     for (label a = 0; a < n; ++a)
     {
-        const SolidTensor<D> G =
-            SolidTensor<D>::load(d.rateF.cdata() + a*nP, 0);
+        const SolidTensor<D> G = rateF(d, a);
+        const scalar* rates = d.rates.cdata() + a*sRates;
 
         if constexpr (finite)
         {
@@ -508,7 +489,7 @@ label vertexKernelTemplate<D, nSJ, R, finite>::advance
                 (
                     F, s.strideH ? s.H.cdata() : nullptr, a
                 );
-                update(s.J[a], o.J[a], ddot(H, G) + d.rateJ[a]);  // (63c)
+                update(s.J[a], o.J[a], ddot(H, G) + rates[D]);    // (63c)
             }
             if constexpr (D > 1)
             {
@@ -523,7 +504,8 @@ label vertexKernelTemplate<D, nSJ, R, finite>::advance
                     {
                         for (int k = 0; k < 9; ++k)
                         {
-                            update(s.H[9*a + k], o.H[9*a + k], rateH.in[k]);
+                            const label at = 9*a + placeH(k);
+                            update(s.H[at], o.H[at], rateH.in[k]);
                         }
                     }
                 }
@@ -536,8 +518,8 @@ label vertexKernelTemplate<D, nSJ, R, finite>::advance
         }
         for (int i = 0; i < D; ++i)
         {
-            update(s.disp[a*D + i], o.disp[a*D + i], W[a*nW + i]); // (66)
-            update(s.lm[a*D + i], o.lm[a*D + i], d.rateLm[a*D + i]); // (62a)
+            update(s.disp[a*D + i], o.disp[a*D + i], W[a*sW + i]); // (66)
+            update(s.lm[a*D + i], o.lm[a*D + i], rates[i]);    // (62a)
         }
 
         // A state that cannot be continued

@@ -309,6 +309,22 @@ void Foam::solidSystem::report(Ostream& os) const
 
 void Foam::solidSystem::reportCost(Ostream& os) const
 {
+    label nodes = 0;
+    for (const solidBody& body : bodies_)
+    {
+        for (const bool mine : body.dual().sharing().owned())
+        {
+            if (mine) ++nodes;
+        }
+    }
+    reduce(nodes, sumOp<label>());
+    if (steps_)
+    {
+        os  << "Steps: " << steps_ << " in " << stepSeconds_ << " s, "
+            << 1e6*stepSeconds_/(scalar(steps_)*nodes)
+            << " us per node and step" << nl << nl;
+    }
+
     if (interfaces_.size() && steps_)
     {
         const scalar percent = 100/max(stepSeconds_, VSMALL);

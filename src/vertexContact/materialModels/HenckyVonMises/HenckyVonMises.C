@@ -164,7 +164,7 @@ void Foam::HenckyVonMises::stressLoop
             {
                 scalar sum = 0;
                 for (int k = 0; k < D; ++k) sum += T(a, k)*G(k, j);
-                P[i*stride + a*D + j] = perDetF*sum + SJ*H(a, j);
+                P[i*stride + j*D + a] = perDetF*sum + SJ*H(a, j);
             }
         }
         if (SigmaJ) SigmaJ[i*stride] = SJ;
