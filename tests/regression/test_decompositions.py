@@ -50,7 +50,8 @@ def test_decompositions(run, tmp_path, figures, scene):
 
 
 @pytest.mark.scenes(*SCENES)
-@pytest.mark.parametrize("scene, name", zip(SCENES, NAMES), ids=NAMES)
+@pytest.mark.parametrize("scene, name", list(zip(SCENES, NAMES)),
+                         ids=NAMES)
 def test_references(run, figures, scene, name):
     """Contact, and another compiler, make some 1e-12 of round-off more."""
     reference = json.loads(FILE.read_text())[name]

@@ -58,7 +58,7 @@ Foam::word Foam::dictionaryCheck::nearest
         }
     }
     // Beyond half of its letters a proposal would be a guess
-    return 2*bestDistance <= label(given.size()) ? best : word();
+    return bestDistance <= label(given.size())/2 ? best : word();
 }
 
 
