@@ -144,6 +144,16 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
             areas = lastArea;
         }
 
+        // The far nodes of edges that come soon are not in the cache
+        for (label e = e0 + prefetchDistance; e < min(e0 + prefetchDistance + nLanes, nEdges); ++e)
+        {
+            const label b = edge[2*e + 1];
+            prefetch<sW>(W + b*sW);
+            if constexpr (!none) prefetch<sG*D>(grad + b*sG*D);
+            if constexpr (finite && D == 3) prefetch<9>(H + 9*b);
+            prefetch<sRates>(rates + b*sRates);
+        }
+
         for (int l = 0; l < nLanes; ++l)
         {
             const label a = ends[2*l], b = ends[2*l + 1];
@@ -238,15 +248,15 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
             c = area;
         }
         const lanes cc = dot(c, c);
-        const lanes magC = squareRoot(dot(area, area));
-        const lanes magc = squareRoot(cc);
-        const lanes perC = 1/(magc + VSMALL);
+        const lanes perC = inverseSquareRoot(cc + VSMALL);
         for (int i = 0; i < D; ++i) n[i] = perC*c[i];
 
         // Waves cross the deformed area where that is larger: so do the
         // dissipation, which else lags behind the central fluxes (momentum)
         // or outruns the time step (J), and the step
-        const lanes waveC = finite ? max(magc, magC) : magC;
+        const lanes larger = moves ? max(cc, dot(area, area)) : cc;
+        const lanes perWave = inverseSquareRoot(larger + VSMALL);
+        const lanes waveC = larger*perWave;
 
         // States at both sides of mid-edge: jump and average of the velocity,
         // average of the traction; with the differences of the nodes, first
@@ -345,7 +355,7 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
 
         // Dissipation of J (63c), (64)
         const lanes fluxJ =
-            nSJ == 1 ? perZp*cc/(waveC + VSMALL)*jumpSJ : lanes{};
+            nSJ == 1 ? perZp*cc*perWave*jumpSJ : lanes{};
 
         for (int i = 0; i < D; ++i) flux.set(i, t[i] + dissipative[i]);
         if constexpr (nSJ == 1) flux.set(D, fluxJ);

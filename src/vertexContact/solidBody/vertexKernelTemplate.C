@@ -158,6 +158,10 @@ void vertexKernelTemplate<D, nSJ, R, finite>::gradients(vertexData& d) const
     scalar* grad = d.grad.data();
     for (label e = 0; e < nEdges; ++e)
     {
+        const label soon = edge[2*min(e + prefetchDistance, nEdges - 1) + 1];
+        prefetch<nG>(W + soon*sW);
+        prefetch<sG*D>(grad + soon*sG*D);
+
         const label a = edge[2*e], b = edge[2*e + 1];
         scalar* ga = grad + a*sG*D;
         scalar* gb = grad + b*sG*D;
@@ -187,6 +191,9 @@ void vertexKernelTemplate<D, nSJ, R, finite>::addBoundaryGradients
     const FixedList<label, 3>& dir = d.dual.directions();
     const scalar* W = d.W.cdata();
     scalar* grad = d.grad.data();
+    constexpr int wide = strideWidth(sG);
+    constexpr label block = 8;
+    alignas(64) scalar values[block][sG];
 
     for (label f = 0; f < patch.nFaces(); ++f)
     {
@@ -195,26 +202,38 @@ void vertexKernelTemplate<D, nSJ, R, finite>::addBoundaryGradients
         const scalar* w =
             patch.weightVectors.cdata() + D*patch.weightStart[f];
 
-        for (label j = 0; j < nf; ++j)
+        for (label j0 = 0; j0 < nf; j0 += block)
         {
-            // Values of corner j: velocity flux, nodal stresses
-            const label b = patch.cornerNode[start + j];
-            scalar u[nW];
-            for (int k = 0; k < nG; ++k) u[k] = W[b*sW + k];
-            if (c)
+            const label jEnd = min(nf, j0 + block);
+
+            // Values of the corners: velocity flux, nodal stresses
+            for (label j = j0; j < jEnd; ++j)
             {
-                for (int i = 0; i < D; ++i) u[i] = c->vB[start + j][dir[i]];
+                const label b = patch.cornerNode[start + j];
+                scalar* u = values[j - j0];
+                for (int k = 0; k < sG; k += wide)
+                {
+                    rowAt<wide>(u + k) = rowAt<wide>(W + b*sW + k);
+                }
+                if (c)
+                {
+                    for (int i = 0; i < D; ++i) u[i] = c->vB[start + j][dir[i]];
+                }
             }
 
             for (label p = 0; p < nf; ++p)
             {
                 scalar* g = grad + label(sG)*D*patch.cornerNode[start + p];
-                const scalar* wpj = w + D*(p*nf + j);
-                for (int k = 0; k < nG; ++k)
+                for (label j = j0; j < jEnd; ++j)
                 {
-                    for (int i = 0; i < D; ++i)
+                    const scalar* wpj = w + D*(p*nf + j);
+                    for (int k = 0; k < sG; k += wide)
                     {
-                        g[atGrad(k, i)] += u[k]*wpj[i];
+                        const row<wide> u = rowAt<wide>(values[j - j0] + k);
+                        for (int i = 0; i < D; ++i)
+                        {
+                            rowAt<wide>(g + i*sG + k) += u*wpj[i];
+                        }
                     }
                 }
             }
@@ -348,6 +367,27 @@ scalar vertexKernelTemplate<D, nSJ, R, finite>::addBoundaryFluxes
     const bool energy
 ) const
 {
+    return
+        energy
+      ? boundaryFluxLoop<true>(d, patch, c)
+      : boundaryFluxLoop<false>(d, patch, c);
+}
+
+
+template<int D, int nSJ, reconstructionType R, bool finite>
+template<bool energy>
+scalar vertexKernelTemplate<D, nSJ, R, finite>::boundaryFluxLoop
+(
+    vertexData& d,
+    const dualPatch& patch,
+    const cornerStates* c
+)
+{
+    if (!c && !full && !energy)
+    {
+        return 0;
+    }
+
     const FixedList<label, 3>& dir = d.dual.directions();
     const scalar* W = d.W.cdata();
     scalar* rates = d.rates.data();
@@ -379,9 +419,12 @@ scalar vertexKernelTemplate<D, nSJ, R, finite>::addBoundaryFluxes
                     const scalar vBj =
                         c ? c->vB[start + j][dir[i]] : W[b*sW + i];
                     if (c) force[i] += s[p*nf + j]*c->tB[start + j][dir[i]];
-                    for (int k = 0; k < D; ++k)
+                    if constexpr (full || energy)
                     {
-                        L[i*D + k] += vBj*w[D*(p*nf + j) + k];
+                        for (int k = 0; k < D; ++k)
+                        {
+                            L[i*D + k] += vBj*w[D*(p*nf + j) + k];
+                        }
                     }
                     if (j == p) vP[i] = vBj;
                 }
@@ -396,7 +439,7 @@ scalar vertexKernelTemplate<D, nSJ, R, finite>::addBoundaryFluxes
                 }
             }
 
-            if (energy)
+            if constexpr (energy)
             {
                 // What the corner's fluxes store in the node, less the
                 // telescoping part of the edges, against the power that
@@ -455,25 +498,61 @@ label vertexKernelTemplate<D, nSJ, R, finite>::advance
     const int stage
 ) const
 {
-    conservedState& s = d.state;
-    conservedState& o = d.old;
+    // H is kept where it is solved (2D: its part out of the plane)
+    return
+        finite && D > 1 && d.state.solvesH
+      ? (
+            stage == 0
+          ? advanceNodes<0, finite && (D > 1)>(d, deltaT)
+          : advanceNodes<1, finite && (D > 1)>(d, deltaT)
+        )
+      : (
+            stage == 0
+          ? advanceNodes<0, false>(d, deltaT)
+          : advanceNodes<1, false>(d, deltaT)
+        );
+}
+
+
+template<int D, int nSJ, reconstructionType R, bool finite>
+template<int stage, bool solvesH>
+label vertexKernelTemplate<D, nSJ, R, finite>::advanceNodes
+(
+    vertexData& d,
+    const scalar deltaT
+)
+{
     const label n = d.nNodes();
     const scalar* W = d.W.cdata();
+    conservedState& s = d.state;
+    conservedState& o = d.old;
     label nBad = 0;
 
     // u <- u + dt r, in the second stage averaged with the old u
-    const auto update = [&](scalar& u, scalar& uOld, const scalar rate)
+    const auto update = [deltaT]
+    (
+        auto count,
+        scalar* __restrict u,
+        scalar* __restrict uOld,
+        const scalar* __restrict rate
+    )
     {
-        if (stage == 0)
+        constexpr int m = decltype(count)::value;
+        scalar now[m];
+        for (int k = 0; k < m; ++k) now[k] = u[k] + deltaT*rate[k];
+        if constexpr (stage == 0)
         {
-            uOld = u;
-            u += deltaT*rate;
+            for (int k = 0; k < m; ++k) uOld[k] = u[k];
+            for (int k = 0; k < m; ++k) u[k] = now[k];
         }
         else
         {
-            u = 0.5*(uOld + (u + deltaT*rate));
+            for (int k = 0; k < m; ++k) u[k] = 0.5*(uOld[k] + now[k]);
         }
     };
+    using one = std::integral_constant<int, 1>;
+    using vectorSize = std::integral_constant<int, D>;
+    using tensorSize = std::integral_constant<int, nP>;
 
     for (label a = 0; a < n; ++a)
     {
@@ -489,38 +568,31 @@ label vertexKernelTemplate<D, nSJ, R, finite>::advance
                 (
                     F, s.strideH ? s.H.cdata() : nullptr, a
                 );
-                update(s.J[a], o.J[a], ddot(H, G) + rates[D]);    // (63c)
+                const scalar rateJ = ddot(H, G) + rates[D];        // (63c)
+                update(one(), &s.J[a], &o.J[a], &rateJ);
             }
-            if constexpr (D > 1)
+            if constexpr (solvesH)
             {
-                if (s.solvesH)
+                const SolidTensor<D> rateH = cross(F, G);         // (63b)
+                if constexpr (D == 2)
                 {
-                    const SolidTensor<D> rateH = cross(F, G);     // (63b)
-                    if constexpr (D == 2)
+                    update(one(), &s.H[a], &o.H[a], &rateH.out);
+                }
+                else
+                {
+                    scalar columns[9];
+                    for (int k = 0; k < 9; ++k)
                     {
-                        update(s.H[a], o.H[a], rateH.out);
+                        columns[placeH(k)] = rateH.in[k];
                     }
-                    else
-                    {
-                        for (int k = 0; k < 9; ++k)
-                        {
-                            const label at = 9*a + placeH(k);
-                            update(s.H[at], o.H[at], rateH.in[k]);
-                        }
-                    }
+                    update(tensorSize(), &s.H[9*a], &o.H[9*a], columns);
                 }
             }
         }
 
-        for (int k = 0; k < nP; ++k)
-        {
-            update(s.F[a*nP + k], o.F[a*nP + k], G.in[k]);        // (63a)
-        }
-        for (int i = 0; i < D; ++i)
-        {
-            update(s.disp[a*D + i], o.disp[a*D + i], W[a*sW + i]); // (66)
-            update(s.lm[a*D + i], o.lm[a*D + i], rates[i]);    // (62a)
-        }
+        update(tensorSize(), &s.F[a*nP], &o.F[a*nP], G.in);       // (63a)
+        update(vectorSize(), &s.disp[a*D], &o.disp[a*D], W + a*sW); // (66)
+        update(vectorSize(), &s.lm[a*D], &o.lm[a*D], rates);      // (62a)
 
         // A state that cannot be continued
         bool good = true;

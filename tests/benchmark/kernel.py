@@ -1,0 +1,230 @@
+#!/usr/bin/env python3
+"""Time per node and step of the kernels, by dimension, cells, material,
+reconstruction, limiter, kinematics and size.
+
+    . etc/bashrc; tests/benchmark/kernel.py [-quick]
+
+One core, fixed step, a block that is stretched, no output, nothing in contact;
+the least of three runs, start-up not counted. Writes kernel.csv, kernel.md and
+kernel.png beside this file. kernelBaseline.csv holds the figures of the same
+runs before the work on speed, and of the same machine: with -baseline that file
+is written instead. -quick: without 1e5 nodes and more.
+"""
+
+import csv
+import re
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+here = Path(__file__).resolve().parent
+root = here.parents[1]
+sys.path[:0] = [str(root/"tests"/"verification"), str(root/"tutorials")]
+
+import numpy as np
+
+from caseTools import checked
+from smallCases import Body, SmallCase
+
+ELASTIC = {"rho": 1, "E": 1, "nu": 0.3}
+MATERIALS = {
+    "linearElastic": ELASTIC, "neoHookean": ELASTIC,
+    "MooneyRivlin": {**ELASTIC, "xi": 0.05},
+    "HenckyVonMises": {**ELASTIC, "tauY": 1e-3, "Hardening": 0.1}}
+BASE = {"material": "neoHookean", "reconstruction": "linear",
+        "limiter": "BarthJespersen", "kinematics": "FHJ"}
+VARIANTS = [BASE] + [
+    {**BASE, key: value} for key, values in (
+        ("reconstruction", ("none", "full")),
+        ("limiter", ("none", "Venkatakrishnan")),
+        ("kinematics", ("F", "FJ")),
+        ("material", ("linearElastic", "MooneyRivlin", "HenckyVonMises")))
+    for value in values]
+BLOCKS = {  # dimension, cells scheme, cells in each direction
+    "1D": (1, "simplicialSingle", 20000), "2D": (2, "simplicialSingle", 150),
+    "3D": (3, "simplicialSingle", 27), "3D hexes": (3, "native", 27)}
+SIZES = (9, 21, 46, 58, 99)     # of 3D blocks
+KEYS = ("block", "nodes", *BASE)
+
+TRIAD = """
+#include <chrono>
+#include <cstdio>
+#include <vector>
+int main()
+{
+    const long n = 1 << 25;
+    std::vector<double> a(n, 0), b(n, 1), c(n, 2);
+    double least = 1e9;
+    for (int k = 0; k < 5; ++k)
+    {
+        const auto start = std::chrono::steady_clock::now();
+        for (long i = 0; i < n; ++i) a[i] = b[i] + 3.0*c[i];
+        const std::chrono::duration<double> t =
+            std::chrono::steady_clock::now() - start;
+        if (t.count() < least) least = t.count();
+    }
+    std::printf("%g %g\\n", 24e-9*n/least, a[n/2]);
+}
+"""
+
+
+def bandwidth(folder):
+    """Triad of STREAM on this core [GB/s]."""
+    source = folder/"triad.cpp"
+    source.write_text(TRIAD)
+    checked(["g++", "-O3", "-march=native", str(source), "-o",
+             str(folder/"triad")], folder)
+    return float(checked([str(folder/"triad")], folder).split()[0])
+
+
+def components(d, options):
+    """Stored components of a node: state, of these H, flux state W, of these
+    with gradients, rates."""
+    finite = options["material"] != "linearElastic"
+    nJ = int(finite and options["kinematics"] != "F")
+    nH = 0 if not finite else 9 if d == 3 else \
+        int(d == 2 and options["kinematics"] == "FHJ")
+    nW = d + nJ + d*d
+    full = options["reconstruction"] == "full"
+    nG = {"none": d, "linear": d + nJ, "full": nW}[options["reconstruction"]]
+    return 2*d + d*d + nH + nJ, nH, nW, nG, d + nJ + 1 + full*d*d
+
+
+def leastBytes(d, edges, options):
+    """What a stage must move per node, each array once in each pass: state
+    read and written, the old one written or read; flux state written, and read
+    with the gradients and with the fluxes; gradients and rates written and
+    read; position, volumes, H with the fluxes; edges twice."""
+    state, nH, nW, nG, rates = components(d, options)
+    scalars = 3*state + 2*nW + nG + 2*d*nG + 2*rates + d + 2 + nH
+    return 8*scalars + 2*edges*(8*d + 8)
+
+
+def make(folder, block, cells, options):
+    d, scheme, _ = BLOCKS[block]
+    rate = np.diag((0.1, -0.05, -0.05))
+    material = {"type": options["material"], **MATERIALS[options["material"]]}
+    body = Body(cells=(cells,)*d, material=material,
+                velocity=lambda X: (X - 0.5) @ rate,
+                scheme={"cells": scheme, **{
+                    key: options[key]
+                    for key in ("reconstruction", "limiter", "kinematics")}})
+    return SmallCase(folder, body, 1, control={
+        "deltaT": 0.05/cells, "adjustTimeStep": "no", "functions": {},
+        "writeControl": "none", "timePrecision": 12})
+
+
+def run(case, cells, steps):
+    """Wall clock time, and the log."""
+    case.set("system/controlDict", {"endTime": (steps + 0.5)*0.05/cells})
+    start = time.perf_counter()
+    log = checked(["vertexContactFoam"], case.path)
+    return time.perf_counter() - start, log
+
+
+def measure(folder, block, cells, options):
+    d = BLOCKS[block][0]
+    case = make(folder, block, cells, options)
+    steps = max(10, int(2e6/(cells + 1)**d))
+    log = run(case, cells, 1)[1]
+    nodes, edges = map(int, re.search(r"(\d+) nodes, (\d+) edges", log).groups())
+    size = [int(n) for n in re.findall(r"(\d+) bytes per node", log)]
+    told = r"(\S+) us per node and step"
+    times = []
+    for _ in range(3):
+        if re.search(told, log):
+            log = run(case, cells, steps)[1]
+            times.append(float(re.search(told, log)[1]))
+        else:
+            # Builds from before the solver told it
+            t1, tn = (run(case, cells, n)[0] for n in (1, steps + 1))
+            times.append(1e6*(tn - t1)/(steps*nodes))
+    return {"block": block, "nodes": nodes, **options,
+            "edges": round(edges/nodes, 2), "stored": size[-1],
+            "us": round(min(times), 4),
+            "leastBytes": round(leastBytes(d, edges/nodes, options))}
+
+
+def table(rows, before, stream):
+    lines = ["| block | nodes | material | reconstruction | limiter | "
+             "kinematics | µs per node and stage | before | ratio | "
+             "bytes stored per node | least bytes of a stage | "
+             "share of the bandwidth bound |", "|" + "---|"*12]
+    for r in rows:
+        old = before.get(tuple(str(r[k]) for k in KEYS))
+        stage = r["us"]/2
+        bound = r["leastBytes"]/(1e3*stream)
+        lines.append(
+            f"| {r['block']}, {r['edges']} edges a node | {r['nodes']:,} | "
+            f"{r['material']} | {r['reconstruction']} | {r['limiter']} | "
+            f"{r['kinematics']} | {stage:.3f} | "
+            + (f"{old/2:.3f} | {old/r['us']:.2f}" if old else "|")
+            + f" | {r['stored']:,} | {r['leastBytes']:,} | {bound/stage:.2f} |")
+    return "\n".join(lines)
+
+
+def picture(rows, stream):
+    import matplotlib
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+    figure, axes = plt.subplots(figsize=(7, 5))
+    most = max(r["leastBytes"] for r in rows)*1.2
+    line = np.linspace(0, most, 2)
+    axes.plot(line, line/(1e3*stream), "k-",
+              label=f"bandwidth, {stream:.1f} GB/s")
+    for block, marker in zip(BLOCKS, "sdo^"):
+        mine = [r for r in rows if r["block"] == block]
+        axes.plot([r["leastBytes"] for r in mine],
+                  [r["us"]/2 for r in mine], marker, label=block)
+    axes.set(xlabel="bytes that a stage must move per node",
+             ylabel="µs per node and stage", yscale="log")
+    axes.legend()
+    figure.tight_layout()
+    figure.savefig(here/"kernel.png", dpi=120)
+
+
+def main(*flags):
+    quick, baseline = "-quick" in flags, "-baseline" in flags
+    wanted = [("3D", n, BASE) for n in SIZES if not quick or n < 45]
+    wanted += [(block, BLOCKS[block][2], options)
+               for block in BLOCKS for options in VARIANTS
+               if not (block == "1D" and options["kinematics"] == "FJ")]
+    rows = []
+    with tempfile.TemporaryDirectory() as folder:
+        folder = Path(folder)
+        stream = bandwidth(folder)
+        for i, (block, cells, options) in enumerate(wanted):
+            rows.append(measure(folder/str(i), block, cells, options))
+            print(*rows[-1].values(), flush=True)
+        stream = max(stream, bandwidth(folder))
+    name = "kernelBaseline.csv" if baseline else "kernel.csv"
+    with open(here/name, "w", newline="") as out:
+        writer = csv.DictWriter(out, rows[0].keys())
+        writer.writeheader()
+        writer.writerows(rows)
+    if baseline:
+        return
+    before = {}
+    if (here/"kernelBaseline.csv").exists():
+        with open(here/"kernelBaseline.csv") as file:
+            before = {tuple(r[k] for k in KEYS): float(r["us"])
+                      for r in csv.DictReader(file)}
+    picture(rows, stream)
+    commit = subprocess.run(["git", "-C", str(root), "describe", "--always",
+                             "--dirty"], capture_output=True, text=True)
+    (here/"kernel.md").write_text(f"""# Speed of the kernels
+
+Written by `tests/benchmark/kernel.py`, build {commit.stdout.strip() or "unknown"}. One core, two stages a step, no output; the least of three
+runs. *Before*: the same runs before the edge loops were rewritten, on the same machine. The bandwidth bound is the time that the triad of STREAM
+on this core, {stream:.1f} GB/s, needs for the bytes that a stage must move (`leastBytes` in the script says which).
+
+{table(rows, before, stream)}
+
+![µs per node and stage by bytes](kernel.png)
+""")
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
