@@ -65,20 +65,39 @@ inline Foam::vector Foam::angularMomentumProjection::arm
 
 
 template<int D>
-void Foam::angularMomentumProjection::measureTorque
+void Foam::angularMomentumProjection::addSums
 (
     const vertexData& d,
     const scalar dt
 )
 {
+    const bitSet& owned = d.dual.sharing().owned();
+    const scalar* V = d.dual.nodeVolume().cdata();
     const scalar* force = d.rates.cdata();
-    torque_ = Zero;
+    scalar volume = 0;
+    vector first(Zero), torque(Zero);
+    symmTensor second(Zero);
+
     for (label a = 0; a < d.nNodes(); ++a)
     {
+        const vector y(arm<D>(d, a, dt));
         vector f(Zero);
         for (direction i = 0; i < D; ++i) f[i] = force[a*d.strideRates + i];
-        torque_ += arm<D>(d, a, dt) ^ f;
+        torque += y ^ f;
+
+        const scalar v = owned[a] ? V[a] : 0;
+        volume += v;
+        first += v*y;
+        second += v*sqr(y);
     }
+
+    sums_[0] = volume;
+    for (direction i = 0; i < 3; ++i)
+    {
+        sums_[1 + i] = first[i];
+        sums_[10 + i] = torque[i];
+    }
+    for (direction i = 0; i < 6; ++i) sums_[4 + i] = second[i];
 }
 
 
@@ -92,32 +111,14 @@ Foam::scalar Foam::angularMomentumProjection::project
     const bitSet& owned = d.dual.sharing().owned();
     const scalar* V = d.dual.nodeVolume().cdata();
 
-    // Volume and first and second moments of the arms; torque
-    FixedList<scalar, 13> sums(Zero);
-    vector first(Zero);
-    symmTensor second(Zero);
-    for (label a = 0; a < d.nNodes(); ++a)
-    {
-        if (owned[a])
-        {
-            const vector y(arm<D>(d, a, dt));
-            sums[0] += V[a];
-            first += V[a]*y;
-            second += V[a]*sqr(y);
-        }
-    }
-    for (direction i = 0; i < 3; ++i)
-    {
-        sums[1 + i] = first[i];
-        sums[4 + i] = torque_[i];
-    }
-    for (direction i = 0; i < 6; ++i) sums[7 + i] = second[i];
+    FixedList<scalar, 13> sums(sums_);
     reduce(sums, sumOfLists());
 
     const scalar volume = sums[0];
     const vector centre(vector(sums[1], sums[2], sums[3])/volume);
-    const vector torque(sums[4], sums[5], sums[6]);
-    for (direction i = 0; i < 6; ++i) second[i] = sums[7 + i];
+    const vector torque(sums[10], sums[11], sums[12]);
+    symmTensor second(Zero);
+    for (direction i = 0; i < 6; ++i) second[i] = sums[4 + i];
     second -= volume*sqr(centre);
     const symmTensor inertia(tr(second)*symmTensor::I - second);
 
@@ -162,7 +163,7 @@ Foam::angularMomentumProjection::angularMomentumProjection
 )
 :
     axis_(Zero),
-    torque_(Zero)
+    sums_(Zero)
 {
     const bool mirrors = returnReduce(symmetry.active(), orOp<bool>());
     active_ = wanted && d.finiteStrain && d.nDim() > 1;
@@ -182,7 +183,7 @@ void Foam::angularMomentumProjection::measure
     const scalar dt
 )
 {
-    d.nDim() == 2 ? measureTorque<2>(d, dt) : measureTorque<3>(d, dt);
+    d.nDim() == 2 ? addSums<2>(d, dt) : addSums<3>(d, dt);
 }
 
 
