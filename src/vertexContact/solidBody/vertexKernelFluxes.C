@@ -34,10 +34,10 @@ public:
 
     scalar* operator[](const int l) { return of_[l]; }
 
-    //- Lanes of the rows from first on
-    void toLanes(const int first = 0)
+    //- Lanes of the rows
+    void toLanes()
     {
-        for (int k = first - first % nLanes; k < stride; k += nLanes)
+        for (int k = 0; k < stride; k += nLanes)
         {
             lanes square[nLanes];
             for (int l = 0; l < nLanes; ++l)
@@ -145,7 +145,8 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
         }
 
         // The far nodes of edges that come soon are not in the cache
-        for (label e = e0 + prefetchDistance; e < min(e0 + prefetchDistance + nLanes, nEdges); ++e)
+        const label soon = min(e0 + prefetchDistance, nEdges);
+        for (label e = soon; e < min(soon + nLanes, nEdges); ++e)
         {
             const label b = edge[2*e + 1];
             prefetch<sW>(W + b*sW);

@@ -1,0 +1,166 @@
+#!/usr/bin/env python3
+"""What each feature costs in time and memory, on against off.
+
+    . etc/bashrc; tests/benchmark/features.py
+
+One core, fixed step, the least of five runs, in turns, since a machine may be
+faster at one time than at another. Writes features.md beside this file.
+"""
+
+import re
+import sys
+import tempfile
+from pathlib import Path
+
+here = Path(__file__).resolve().parent
+root = here.parents[1]
+sys.path[:0] = [str(root/"tests"/"verification"), str(root/"tutorials")]
+
+import numpy as np
+
+from caseTools import checked
+from smallCases import Body, SmallCase, coulomb, interface
+
+STEPS = 100
+NEO = {"type": "neoHookean", "rho": 1, "E": 1, "nu": 0.3}
+PLASTIC = {**NEO, "type": "HenckyVonMises"}
+YIELDING = {**PLASTIC, "tauY": 1e-9, "Hardening": 0.1}
+SMALL = {**NEO, "type": "linearElastic"}
+
+
+def block(folder, cells, material=None, control=None, functions=None,
+          size=(1, 1, 1), sides=None, **scheme):
+    d = len(cells)
+    rate = np.diag((0.1, -0.05, -0.05))
+    body = Body(cells=cells, material=material or NEO, size=size,
+                velocity=lambda X: (X - 0.5) @ rate, scheme=scheme,
+                sides=sides or {})
+    return SmallCase(folder, body, 1, control={
+        "deltaT": 0.05/max(cells), "adjustTimeStep": "no",
+        "writeControl": "none", "timePrecision": 12,
+        **({} if functions else {"functions": {}}), **(control or {})})
+
+
+def pair(folder, gap, pairing="nearestFace", law="frictionless", speed=0.02,
+         contact=True):
+    """Two blocks; their meshes match."""
+    def body(name, start, velocity, side):
+        return Body(cells=(20, 20, 20), name=name, start=start, material=NEO,
+                    velocity=velocity, sides={side: "contact"} if contact else
+                    {})
+    bodies = (body("below", (0, 0, 0), (0.01, speed, 0), "top"),
+              body("above", (0, 1 + gap, 0), (-0.01, -speed, 0), "bottom"))
+    interfaces = {"contact": interface(("below", "top"), ("above", "bottom"),
+                                       law, pairing=pairing)}
+    return SmallCase(folder, bodies, 1, interfaces if contact else None,
+                     control={"deltaT": 0.0025, "adjustTimeStep": "no",
+                              "functions": {}, "writeControl": "none",
+                              "timePrecision": 12})
+
+
+# Group, off and on, and the bound of the ratio that is asked for, if any
+PAIRS = (
+    ("limiter", "Barth-Jespersen against none",
+     lambda p: block(p, (24,)*3, limiter="none"), lambda p: block(p, (24,)*3)),
+    ("reconstruction", "linear against none",
+     lambda p: block(p, (24,)*3, reconstruction="none"),
+     lambda p: block(p, (24,)*3, reconstruction="linear")),
+    ("reconstruction", "full (default) against linear",
+     lambda p: block(p, (24,)*3, reconstruction="linear"),
+     lambda p: block(p, (24,)*3)),
+    ("kinematics", "J solved against F alone",
+     lambda p: block(p, (24,)*3, kinematics="F"),
+     lambda p: block(p, (24,)*3, kinematics="FJ")),
+    ("kinematics", "H and J solved against J",
+     lambda p: block(p, (24,)*3, kinematics="FJ"),
+     lambda p: block(p, (24,)*3)),
+    ("strain", "finite against small",
+     lambda p: block(p, (24,)*3, SMALL), lambda p: block(p, (24,)*3)),
+    ("plasticity", "no node yields against neo-Hookean",
+     lambda p: block(p, (24,)*3),
+     lambda p: block(p, (24,)*3, {**PLASTIC, "tauY": 1e3})),
+    ("plasticity", "every node yields against neo-Hookean",
+     lambda p: block(p, (24,)*3), lambda p: block(p, (24,)*3, YIELDING)),
+    ("angular momentum", "preserved (default) against not",
+     lambda p: block(p, (24,)*3, preserveAngularMomentum="no"),
+     lambda p: block(p, (24,)*3)),
+    ("energies", "solidEnergies each step against none",
+     lambda p: block(p, (24,)*3), lambda p: block(p, (24,)*3, functions=True)),
+    ("energies", "maxEnergyRise against none",
+     lambda p: block(p, (24,)*3),
+     lambda p: block(p, (24,)*3, control={"maxEnergyRise": 1})),
+    ("contact", "nearestFace, 10 lengths apart, against free bodies",
+     lambda p: pair(p, 10, contact=False), lambda p: pair(p, 10)),
+    ("contact", "nearestFace, near, against free bodies",
+     lambda p: pair(p, 0.1, contact=False, speed=0),
+     lambda p: pair(p, 0.1, speed=0)),
+    ("contact", "nearestFace, in contact, against free bodies",
+     lambda p: pair(p, 0.1, contact=False), lambda p: pair(p, 0)),
+    ("contact", "AMI, in contact, against free bodies",
+     lambda p: pair(p, 0.1, contact=False), lambda p: pair(p, 0, "AMI")),
+    ("contact", "matching, in contact, against free bodies",
+     lambda p: pair(p, 0.1, contact=False), lambda p: pair(p, 0, "matching")),
+    ("contact", "Coulomb friction against frictionless, matching",
+     lambda p: pair(p, 0, "matching"),
+     lambda p: pair(p, 0, "matching", coulomb(0.3))),
+    ("dimension", "one layer of 3D against the same in 2D",
+     lambda p: block(p, (100, 100)),
+     lambda p: block(p, (100, 100, 1), size=(1, 1, 0.01), sides={
+         "back": {"type": "symmetryPlane"},
+         "front": {"type": "symmetryPlane"}})),
+    ("dimension", "one row of 2D against the same in 1D",
+     lambda p: block(p, (10000,)),
+     lambda p: block(p, (10000, 1), size=(1, 1e-4, 1), sides={
+         "bottom": {"type": "symmetryPlane"},
+         "top": {"type": "symmetryPlane"}})),
+)
+
+
+class Measured:
+    """A case that runs again and again: time of the steps, memory."""
+
+    def __init__(self, case):
+        self.case = case
+        deltaT = float(re.search(r"deltaT\s+(\S+);", (
+            case/"system/controlDict").read_text())[1])
+        case.set("system/controlDict", {"endTime": (STEPS + 0.5)*deltaT})
+        self.seconds = np.inf
+
+    def run(self):
+        log = checked(["vertexContactFoam"], self.case.path)
+        self.seconds = min(self.seconds, float(
+            re.search(r"Steps: \d+ in (\S+) s", log)[1]))
+        self.bytes = sum(
+            int(nodes)*int(size) for nodes, size in zip(
+                re.findall(r"(\d+) nodes,", log),
+                re.findall(r"^    (\d+) bytes per node", log, re.M)))
+
+
+def main():
+    lines = []
+    with tempfile.TemporaryDirectory() as folder:
+        for i, (group, what, off, on) in enumerate(PAIRS):
+            cases = [Measured(make(Path(folder)/f"{i}{name}"))
+                     for name, make in (("off", off), ("on", on))]
+            for _ in range(5):
+                for case in cases:
+                    case.run()
+            without, with_ = cases
+            lines.append(
+                f"| {group} | {what} | {1e3*without.seconds/STEPS:.2f} | "
+                f"{1e3*with_.seconds/STEPS:.2f} | "
+                f"{with_.seconds/without.seconds:.2f} | "
+                f"{with_.bytes/without.bytes:.2f} |")
+            print(lines[-1], flush=True)
+    (here/"features.md").write_text(f"""# What each feature costs
+
+Written by `tests/benchmark/features.py`: blocks of 24 x 24 x 24 hexahedra as tetrahedra (two of 20 x 20 x 20 for contact), neo-Hookean,
+defaults, one core, {STEPS} steps, the least of five runs in turns. Memory: what the body stores and its dual mesh, without OpenFOAM's mesh.
+
+| | | off [ms a step] | on [ms a step] | time, on/off | memory, on/off |
+|---|---|---|---|---|---|
+""" + "\n".join(lines) + "\n")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,89 @@
+#!/usr/bin/env python3
+"""Time from the command to the first step, and peak memory, by number of nodes:
+one body, and two bodies whose meshes do not match.
+
+    . etc/bashrc; tests/benchmark/startup.py [CELLS]
+
+Blocks of up to CELLS^3 hexahedra (default 99, a million nodes) as tetrahedra,
+one core. Writes startup.md beside this file.
+"""
+
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+here = Path(__file__).resolve().parent
+root = here.parents[1]
+sys.path[:0] = [str(root/"tests"/"verification"), str(root/"tutorials")]
+
+from smallCases import RUBBER, Body, SmallCase, interface
+
+CONTROL = {"adjustTimeStep": "no", "functions": {}, "writeControl": "none",
+           "timePrecision": 12, "deltaT": 1e-5, "endTime": 1.5e-5}
+
+
+def one(folder, cells):
+    body = Body(cells=(cells,)*3, material=RUBBER, velocity=(0.1, 0, 0))
+    return SmallCase(folder, body, 1, control=CONTROL)
+
+
+def two(pairing):
+    def make(folder, cells):
+        # As many nodes in both together
+        n = round(cells/2**(1/3))
+        bodies = (Body(cells=(n,)*3, name="below", velocity=(0.1, 0.1, 0),
+                       sides={"top": "contact"}),
+                  Body(cells=(n - 1,)*3, name="above", start=(0, 1, 0),
+                       sides={"bottom": "contact"}))
+        return SmallCase(folder, bodies, 1, {"contact": interface(
+            ("below", "top"), ("above", "bottom"), pairing=pairing)},
+            control=CONTROL)
+    return make
+
+
+SCENES = {"one body": one, "two bodies, AMI": two("AMI"),
+          "two bodies, nearestFace": two("nearestFace")}
+
+
+def start(case):
+    """Nodes, seconds until the end, seconds of steps, peak memory [MB]."""
+    begin = time.perf_counter()
+    with open(case/"log", "w") as log:
+        process = subprocess.Popen(["vertexContactFoam"], cwd=case.path,
+                                   stdout=log, stderr=subprocess.STDOUT)
+        _, status, usage = os.wait4(process.pid, 0)
+    seconds = time.perf_counter() - begin
+    text = (case/"log").read_text()
+    assert status == 0, text[-2000:]
+    nodes = sum(map(int, re.findall(r"(\d+) nodes,", text)))
+    steps = float(re.search(r"Steps: \d+ in (\S+) s", text)[1])
+    return nodes, seconds - steps, steps, usage.ru_maxrss/1024
+
+
+def main(cells=99):
+    lines = []
+    with tempfile.TemporaryDirectory() as folder:
+        for name, make in SCENES.items():
+            for n in (int(cells)//4, int(cells)//2, int(cells)):
+                case = make(Path(folder)/f"{len(lines)}", n)
+                nodes, seconds, steps, memory = start(case)
+                lines.append(f"| {name} | {nodes:,} | {seconds:.1f} | "
+                             f"{1e6*seconds/nodes:.1f} | {memory:,.0f} | "
+                             f"{1e6*memory/nodes:,.0f} |")
+                print(lines[-1], flush=True)
+    (here/"startup.md").write_text(f"""# Start-up
+
+Written by `tests/benchmark/startup.py {cells}`: from the command until the first step has begun, with the end of the run (nothing is written);
+one core. Meshes as blockMesh writes them.
+
+| scene | nodes | seconds | µs per node | peak memory [MB] | bytes per node |
+|---|---|---|---|---|---|
+""" + "\n".join(lines) + "\n")
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

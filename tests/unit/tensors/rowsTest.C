@@ -1,0 +1,107 @@
+/*---------------------------------------------------------------------------*\
+License
+    This file is part of vertexContact, distributed under GPL-3.0-or-later.
+
+Description
+    Rows of components, their transposition to lanes, and roots by Newton's
+    method.
+
+\*---------------------------------------------------------------------------*/
+
+#include "testEnvironment.H"
+#include "fullTensor.H"
+#include "rows.H"
+
+using namespace Foam;
+
+// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+TEST_CASE("lanes are transposed", "[lanes][serial]")
+{
+    lanes r[nLanes];
+    for (int i = 0; i < nLanes; ++i)
+    {
+        for (int l = 0; l < nLanes; ++l) r[i][l] = 100*i + l;
+    }
+    transpose(r);
+    for (int i = 0; i < nLanes; ++i)
+    {
+        for (int l = 0; l < nLanes; ++l) CHECK(r[i][l] == 100*l + i);
+    }
+}
+
+
+TEST_CASE("inverse roots are exact to the last bits", "[lanes][serial]")
+{
+    // Mantissas and exponents of both parities, and thirds
+    Random random(1);
+    for (int exponent = -90; exponent <= 90; ++exponent)
+    {
+        for (int sample = 0; sample < 20; ++sample)
+        {
+            const scalar a =
+                (1.5 + randomScalar(random, 0.5))*std::pow(2.0, exponent);
+            const lanes square = inverseSquareRoot(uniform<lanes>(a));
+            for (int l = 0; l < nLanes; ++l)
+            {
+                CHECK(mag(square[l]*std::sqrt(a) - 1) <= 1e-15);
+            }
+            CHECK(mag(inverseCubeRoot(a)*std::cbrt(a) - 1) <= 1e-15);
+        }
+    }
+
+    // Areas of edges that are next to nothing
+    const lanes tiny = inverseSquareRoot(uniform<lanes>(VSMALL));
+    CHECK(mag(tiny[0]*std::sqrt(VSMALL) - 1) <= 1e-15);
+
+    // Beyond the range of states: as the library's
+    for (const scalar a : {1e-200, 1e200, -8.0})
+    {
+        CHECK(mag(inverseCubeRoot(a)*std::cbrt(a) - 1) <= 1e-15);
+    }
+}
+
+
+TEST_CASE("strides hold whole rows", "[rows][serial]")
+{
+    for (int n = 1; n <= 30; ++n)
+    {
+        INFO("n = " << n);
+        const int stride = paddedStride(n);
+        CHECK(stride >= n);
+        CHECK(stride <= n + 3);
+        CHECK(stride % strideWidth(stride) == 0);
+        CHECK(rowWidth(n) <= max(4, n));
+    }
+    CHECK(strideWidth(paddedStride(13)) == 8);
+    CHECK(strideWidth(paddedStride(4)) == 4);
+    CHECK(strideWidth(paddedStride(2)) == 2);
+}
+
+
+TEST_CASE("aligned arrays start with a line of the cache", "[rows][serial]")
+{
+    for (const label size : {0, 1, 7, 8, 1000})
+    {
+        INFO("size " << size);
+        alignedScalars a(size);
+        CHECK(a.size() == size);
+        for (label i = 0; i < size; ++i)
+        {
+            CHECK(a[i] == 0);
+            a[i] = i;
+        }
+        if (size)
+        {
+            CHECK(reinterpret_cast<std::uintptr_t>(a.data()) % 64 == 0);
+
+            // A row from the last one on may be read
+            CHECK(rowAt<4>(a.cdata() + size - 1)[0] == size - 1);
+        }
+        a = Zero;
+        for (label i = 0; i < size; ++i) CHECK(a[i] == 0);
+    }
+}
+
+
+// ************************************************************************* //
