@@ -5,8 +5,8 @@ means for many ranks. Writes scaling.md beside this file.
     . etc/bashrc; tests/benchmark/scaling.py [CELLS [STEPS]]
 
 A free block (CELLS^3 hexahedra as tetrahedra, default 58, neo-Hookean,
-defaults) that is stretched; times are the least of five runs, less those of
-runs of one step. Needs as many free cores as ranks. Messages and bytes are
+defaults) that is stretched; times are medians of nine runs, less those of runs
+of one step. Needs as many free cores as ranks. Messages and bytes are
 counted by Open MPI's monitoring component (pml_monitoring), point to point and
 inside of reductions.
 """
@@ -84,17 +84,19 @@ class Block:
         return len(mine & others)
 
 
-def perStep(blocks, steps):
-    """Seconds, of each block; in turns, since a machine may be faster at one
-    time than at another."""
-    least = {}
-    for _ in range(5):
-        for block in blocks:
-            for n in (1, steps + 1):
-                least[block, n] = min(block.run(n),
-                                      least.get((block, n), math.inf))
-    return [(least[block, steps + 1] - least[block, 1])/steps
-            for block in blocks]
+def perStep(one, two, steps, rounds=9):
+    """Seconds a step on one rank and on two: the median of the runs on one, and
+    that divided by the median of the ratios of runs next to each other, since a
+    machine is faster at one time than at another. And the spread of the middle
+    half of these ratios."""
+    times = []
+    for _ in range(rounds):
+        times.append([(block.run(steps + 1) - block.run(1))/steps
+                      for block in (one, two)])
+    times = np.array(times)
+    low, ratio, high = np.percentile(times[:, 0]/times[:, 1], (25, 50, 75))
+    single = np.median(times[:, 0])
+    return single, single/ratio, (low/2, high/2)
 
 
 def main(cells=58, steps=20):
@@ -103,12 +105,12 @@ def main(cells=58, steps=20):
     with tempfile.TemporaryDirectory() as folder:
         folder = Path(folder)
         one, two = (Block(folder/str(n), cells, n) for n in (1, 2))
-        t1, t2 = perStep((one, two), steps)
+        t1, t2, spread = perStep(one, two, steps)
         (messages, size), (reductions, reduced) = two.sent()
         shared = two.sharedNodes()
         # Of blocks so small that messages are what costs
         small = [Block(folder/f"small{n}", 4, n) for n in (1, 2)]
-        s1, s2 = perStep(small, 2000)
+        s1, s2, _ = perStep(*small, 2000)
         (fewMessages, _), (fewReductions, _) = small[1].sent()
     latency = max(s2 - s1/2, 0)/(fewMessages + fewReductions)
 
@@ -139,6 +141,8 @@ machine, nothing else running.
 |---|---|---|---|
 | 1 | {t1:.4f} | {1e6*t1/nodes:.3f} | 1 |
 | 2 | {t2:.4f} | {2e6*t2/nodes:.3f} | {t1/(2*t2):.3f} |
+
+The median of nine pairs of runs, next to each other in time; the middle half of their efficiencies is {spread[0]:.3f} to {spread[1]:.3f}.
 
 What a rank of the two sends in a step (two stages; Open MPI's `pml_monitoring`): {messages + reductions:.1f} messages and {size + reduced:,.0f} bytes to its
 neighbour: {EXCHANGES} exchanges of gradients and rates, {bytesShared:,.0f} bytes for each of the {shared:,} nodes that it shares, and {collective:.1f} messages of
