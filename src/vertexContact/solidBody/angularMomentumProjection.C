@@ -9,31 +9,6 @@
 #include "symmTensor.H"
 #include "tensor.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace
-{
-
-using namespace Foam;
-
-// Thirteen numbers in one message
-struct sumOfLists
-{
-    FixedList<scalar, 13> operator()
-    (
-        const FixedList<scalar, 13>& a,
-        const FixedList<scalar, 13>& b
-    ) const
-    {
-        FixedList<scalar, 13> sum;
-        forAll(sum, i) sum[i] = a[i] + b[i];
-        return sum;
-    }
-};
-
-} // End anonymous namespace
-
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<int D>
@@ -68,12 +43,13 @@ template<int D>
 void Foam::angularMomentumProjection::addSums
 (
     const vertexData& d,
-    const scalar dt
+    const scalar dt,
+    scalar* sums
 )
 {
     const bitSet& owned = d.dual.sharing().owned();
     const scalar* V = d.dual.nodeVolume().cdata();
-    const scalar* force = d.rates.cdata();
+    const scalar* rates = d.rates.cdata();
     scalar volume = 0;
     vector first(Zero), torque(Zero);
     symmTensor second(Zero);
@@ -82,8 +58,8 @@ void Foam::angularMomentumProjection::addSums
     {
         const vector y(arm<D>(d, a, dt));
         vector f(Zero);
-        for (direction i = 0; i < D; ++i) f[i] = force[a*d.strideRates + i];
-        torque += y ^ f;
+        for (direction i = 0; i < D; ++i) f[i] = rates[a*d.strideRates + i];
+        torque += V[a]*(y ^ f);
 
         const scalar v = owned[a] ? V[a] : 0;
         volume += v;
@@ -91,13 +67,13 @@ void Foam::angularMomentumProjection::addSums
         second += v*sqr(y);
     }
 
-    sums_[0] = volume;
+    sums[0] = volume;
     for (direction i = 0; i < 3; ++i)
     {
-        sums_[1 + i] = first[i];
-        sums_[10 + i] = torque[i];
+        sums[1 + i] = first[i];
+        sums[10 + i] = torque[i];
     }
-    for (direction i = 0; i < 6; ++i) sums_[4 + i] = second[i];
+    for (direction i = 0; i < 6; ++i) sums[4 + i] = second[i];
 }
 
 
@@ -105,14 +81,13 @@ template<int D>
 Foam::scalar Foam::angularMomentumProjection::project
 (
     vertexData& d,
-    const scalar dt
+    const scalar dt,
+    const scalar* sums,
+    const bool power
 ) const
 {
     const bitSet& owned = d.dual.sharing().owned();
     const scalar* V = d.dual.nodeVolume().cdata();
-
-    FixedList<scalar, 13> sums(sums_);
-    reduce(sums, sumOfLists());
 
     const scalar volume = sums[0];
     const vector centre(vector(sums[1], sums[2], sums[3])/volume);
@@ -137,19 +112,25 @@ Foam::scalar Foam::angularMomentumProjection::project
     }
 
     scalar* rates = d.rates.data();
-    scalar power = 0;
+    scalar taken = 0;
     for (label a = 0; a < d.nNodes(); ++a)
     {
         const vector change(omega ^ (arm<D>(d, a, dt) - centre));
-        scalar vChange = 0;
         for (direction i = 0; i < D; ++i)
         {
             rates[a*d.strideRates + i] -= change[i];
-            vChange += d.W[a*d.strideW + i]*change[i];
         }
-        if (owned[a]) power += V[a]*vChange;
+        if (power && owned[a])
+        {
+            scalar vChange = 0;
+            for (direction i = 0; i < D; ++i)
+            {
+                vChange += d.W[a*d.strideW + i]*change[i];
+            }
+            taken += V[a]*vChange;
+        }
     }
-    return power;
+    return taken;
 }
 
 
@@ -162,8 +143,7 @@ Foam::angularMomentumProjection::angularMomentumProjection
     const bool wanted
 )
 :
-    axis_(Zero),
-    sums_(Zero)
+    axis_(Zero)
 {
     const bool mirrors = returnReduce(symmetry.active(), orOp<bool>());
     active_ = wanted && d.finiteStrain && d.nDim() > 1;
@@ -180,20 +160,26 @@ Foam::angularMomentumProjection::angularMomentumProjection
 void Foam::angularMomentumProjection::measure
 (
     const vertexData& d,
-    const scalar dt
-)
+    const scalar dt,
+    scalar* sums
+) const
 {
-    d.nDim() == 2 ? addSums<2>(d, dt) : addSums<3>(d, dt);
+    d.nDim() == 2 ? addSums<2>(d, dt, sums) : addSums<3>(d, dt, sums);
 }
 
 
 Foam::scalar Foam::angularMomentumProjection::correct
 (
     vertexData& d,
-    const scalar dt
+    const scalar dt,
+    const scalar* sums,
+    const bool power
 ) const
 {
-    return d.nDim() == 2 ? project<2>(d, dt) : project<3>(d, dt);
+    return
+        d.nDim() == 2
+      ? project<2>(d, dt, sums, power)
+      : project<3>(d, dt, sums, power);
 }
 
 

@@ -549,11 +549,11 @@ void Foam::solidBody::prepare(const scalar time)
 }
 
 
-void Foam::solidBody::computeRates
+void Foam::solidBody::computeFluxes
 (
-    const scalar time,
     const bool energy,
-    const scalar dt
+    const scalar dt,
+    scalar* angularSums
 )
 {
     const label d = dual_.nDim();
@@ -565,7 +565,7 @@ void Foam::solidBody::computeRates
         return corners_.set(patchi) ? &corners_[patchi] : nullptr;
     };
 
-    // Pass A: gradients
+    // Pass A: gradients, and nodes
     kernel_->gradients(data_);
     for (const dualPatch& patch : dual_.patches())
     {
@@ -578,13 +578,10 @@ void Foam::solidBody::computeRates
         }
     }
     sharing.sum(data_.grad.data(), d*data_.strideG);
-
-    // Pass B: nodes
     if (symmetry_.active())
     {
         symmetriseGradients();
     }
-    kernel_->scaleGradients(data_);
     if (full)
     {
         forAll(corners_, patchi)
@@ -596,13 +593,13 @@ void Foam::solidBody::computeRates
         }
     }
 
-    // Pass C: limiter and fluxes
+    // Pass B: limiter and fluxes
     data_.numericalDissipation = 0;
     powers_ = powers();
     kernel_->fluxes(data_, energy);
     if (angularMomentum_.active())
     {
-        angularMomentum_.measure(data_, dt);
+        angularMomentum_.measure(data_, dt, angularSums);
     }
     for (const dualPatch& patch : dual_.patches())
     {
@@ -619,10 +616,21 @@ void Foam::solidBody::computeRates
     }
     powers_.numericalDissipation = data_.numericalDissipation;
     sharing.sum(data_.rates.data(), data_.strideRates);
-    kernel_->scaleRates(data_);
+}
+
+
+void Foam::solidBody::finishRates
+(
+    const scalar time,
+    const bool energy,
+    const scalar dt,
+    const scalar* angularSums
+)
+{
     if (angularMomentum_.active())
     {
-        powers_.numericalDissipation += angularMomentum_.correct(data_, dt);
+        powers_.numericalDissipation +=
+            angularMomentum_.correct(data_, dt, angularSums, energy);
     }
 
     addBodyForces(time, energy);
@@ -630,7 +638,7 @@ void Foam::solidBody::computeRates
     if (symmetry_.active())
     {
         symmetry_.project(data_.rates.data(), data_.strideRates);
-        if (full)
+        if (options_.reconstruction == reconstructionType::full)
         {
             symmetry_.symmetrise
             (

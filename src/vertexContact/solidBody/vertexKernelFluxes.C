@@ -73,15 +73,56 @@ public:
 };
 
 
+//- Writes neighbouring rows in the order of their places: those of four
+//  scalars in pairs as wide as a register, which the transposition reads again
+//  at once. Read wider than it was written, memory has to be waited for
+class rowWriter
+{
+    scalar* to_;
+    row<4> latest_{};
+    int latestAt_ = -1;
+
+
+public:
+
+    explicit rowWriter(scalar* to) : to_(to) {}
+
+    template<int at, int w>
+    void put(const row<w>& r)
+    {
+        rowAt<w>(to_ + at) = r;
+        if constexpr (w == 4 && nLanes == 8)
+        {
+            if (at % 8 == 4 && latestAt_ == at - 4)
+            {
+                storePair(to_ + at - 4, latest_, r);
+            }
+            latest_ = r;
+            latestAt_ = at;
+        }
+    }
+
+    //- Rows of n scalars of a function of their places
+    template<int at, int w, int n, class Function>
+    void putAll(const scalar* from, const Function& f)
+    {
+        put<at, w>(f(from));
+        if constexpr (n > w) putAll<at + w, w, n - w>(from + w, f);
+    }
+};
+
+
 template<int D, int nSJ, reconstructionType R, bool finite>
 template<limiterType limiter, bool energy>
 void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
 {
     typedef SolidVector<D, lanes> vectorLanes;
+    typedef std::ptrdiff_t index;
 
     const label* edge = d.dual.edgeNodes().cdata();
     const scalar* edgeArea = d.edgeArea();
     const scalar* X = d.dual.nodePosition().cdata();
+    const scalar* V = d.dual.nodeVolume().cdata();
     const scalar* W = d.W.cdata();
     const scalar* grad = d.grad.cdata();
     const scalar* F = d.state.F.cdata();
@@ -101,22 +142,67 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
     constexpr int nU = paddedStride(D + nSJ);
     constexpr int nC = paddedStride(D);
 
-    // Places of what an edge has of its nodes: area, deformed area (2D: sum of
-    // F), difference and sum of v and SigmaJ, and of the tractions, changes of
-    // both nodes to mid-edge
+    // Places of what an edge has of its nodes: area, twice the deformed area
+    // (2D: sum of F), difference and sum of v and SigmaJ, and of the tractions
+    // (the sum: twice the average), twice the changes of both nodes to mid-edge
     constexpr bool moves = finite && D > 1;
     constexpr int atArea = 0;
-    constexpr int atDeformed = atArea + nC;
-    constexpr int atDifference = atDeformed + (moves ? 4 : 0);
-    constexpr int atSum = atDifference + nU;
-    constexpr int atT = atSum + (full ? nU : 0);
-    constexpr int atTDifference = atT + nC;
+    constexpr int atDifference = atArea + nC;
+    constexpr int atT = atDifference + nU;
+    constexpr int atDeformed = atT + nC;
+    constexpr int atSum = atDeformed + (moves ? 4 : 0);
+    constexpr int atTDifference = atSum + (full ? nU : 0);
     constexpr int atChangeA = atTDifference + (full ? nC : 0);
     constexpr int atChangeB = atChangeA + (none ? 0 : sG);
     constexpr int nOfNodes = atChangeB + (none ? 0 : sG);
 
     edgeRows<nOfNodes> of;
     edgeRows<sRates> flux;
+
+    // What the first node gains, the other one loses; waves add up at both
+    constexpr int wR = strideWidth(sRates);
+    alignas(registerBytes) scalar sign[sRates];
+    for (int k = 0; k < sRates; ++k) sign[k] = (k == atWave ? 1 : -1);
+
+    // Rates of the first node of the edges, which are sorted by it: complete
+    // with the last of its edges, since those to nodes before it came before.
+    // Then they are divided by the volume, waves are not
+    row<wR> ratesA[sRates/wR] = {};
+    index nodeA = -1, farthest = -1;
+    alignas(registerBytes) scalar divided[sRates], undivided[sRates];
+    for (int k = 0; k < sRates; ++k)
+    {
+        divided[k] = (k == atWave ? 0 : 1);
+        undivided[k] = 1 - divided[k];
+    }
+    const auto load = [&](const index a)
+    {
+        nodeA = a;
+        for (int k = 0; k < sRates; k += wR)
+        {
+            ratesA[k/wR] = rowAt<wR>(rates + a*sRates + k);
+        }
+    };
+    const auto finish = [&]
+    {
+        const scalar perV = 1/V[nodeA];
+        for (int k = 0; k < sRates; k += wR)
+        {
+            rowAt<wR>(rates + nodeA*sRates + k) =
+                ratesA[k/wR]
+               *(rowAt<wR>(divided + k)*perV + rowAt<wR>(undivided + k));
+        }
+    };
+    const auto finishUpTo = [&](const index a)
+    {
+        // Nodes between have no edges that start there
+        while (nodeA < a)
+        {
+            if (nodeA >= 0) finish();
+            if (nodeA + 1 == d.nNodes()) break;
+            load(nodeA + 1);
+        }
+    };
 
     // The last edges, if they are fewer than lanes
     label lastEdge[2*nLanes];
@@ -144,11 +230,14 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
             areas = lastArea;
         }
 
-        // The far nodes of edges that come soon are not in the cache
+        // Nodes that edges come to soon, and for the first time, are not in
+        // the cache
         const label soon = min(e0 + prefetchDistance, nEdges);
         for (label e = soon; e < min(soon + nLanes, nEdges); ++e)
         {
-            const label b = edge[2*e + 1];
+            const index b = edge[2*e + 1];
+            if (b <= farthest) continue;
+            farthest = b;
             prefetch<sW>(W + b*sW);
             if constexpr (!none) prefetch<sG*D>(grad + b*sG*D);
             if constexpr (finite && D == 3) prefetch<9>(H + 9*b);
@@ -157,18 +246,14 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
 
         for (int l = 0; l < nLanes; ++l)
         {
-            const label a = ends[2*l], b = ends[2*l + 1];
+            const index a = ends[2*l], b = ends[2*l + 1];
             const scalar* C = areas + D*l;
             const scalar* Wa = W + a*sW;
             const scalar* Wb = W + b*sW;
-            scalar* to = of[l];
+            rowWriter to(of[l]);
 
-            rowAt<wC>(to + atArea) = rowAt<wC>(C);
-            rowAt<wU>(to + atDifference) = rowAt<wU>(Wb) - rowAt<wU>(Wa);
-            if constexpr (full)
-            {
-                rowAt<wU>(to + atSum) = rowAt<wU>(Wa) + rowAt<wU>(Wb);
-            }
+            to.template put<atArea, wC>(rowAt<wC>(C));
+            to.template put<atDifference, wU>(rowAt<wU>(Wb) - rowAt<wU>(Wa));
 
             // Sums over the columns of P, and of H
             row<wC> t{}, tDifference{};
@@ -176,11 +261,10 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
             {
                 const row<wC> Pa = rowAt<wC>(Wa + atP + j*D);
                 const row<wC> Pb = rowAt<wC>(Wb + atP + j*D);
-                t += (Pa + Pb)*(0.5*C[j]);
+                t += (Pa + Pb)*C[j];
                 if constexpr (full) tDifference += (Pb - Pa)*C[j];
             }
-            rowAt<wC>(to + atT) = t;
-            if constexpr (full) rowAt<wC>(to + atTDifference) = tDifference;
+            to.template put<atT, wC>(t);
 
             if constexpr (finite && D == 3)
             {
@@ -191,48 +275,56 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
                         (
                             rowAt<wC>(H + 9*a + 3*j)
                           + rowAt<wC>(H + 9*b + 3*j)
-                        )*(0.5*C[j]);
+                        )*C[j];
                 }
-                rowAt<wC>(to + atDeformed) = c;
+                to.template put<atDeformed, wC>(c);
             }
             else if constexpr (finite && D == 2)
             {
-                rowAt<4>(to + atDeformed) =
-                    rowAt<4>(F + 4*a) + rowAt<4>(F + 4*b);
+                to.template put<atDeformed, 4>
+                (
+                    rowAt<4>(F + 4*a) + rowAt<4>(F + 4*b)
+                );
+            }
+
+            if constexpr (full)
+            {
+                to.template put<atSum, wU>(rowAt<wU>(Wa) + rowAt<wU>(Wb));
+                to.template put<atTDifference, wC>(tDifference);
             }
 
             if constexpr (!none)
             {
-                // Changes from both nodes to mid-edge
+                // Twice the changes from both nodes to mid-edge
                 scalar r[D];
-                for (int j = 0; j < D; ++j)
+                for (int j = 0; j < D; ++j) r[j] = X[b*D + j] - X[a*D + j];
+                const auto change = [&](const scalar* g)
                 {
-                    r[j] = 0.5*(X[b*D + j] - X[a*D + j]);
-                }
-                const scalar* ga = grad + a*sG*D;
-                const scalar* gb = grad + b*sG*D;
-                for (int k = 0; k < sG; k += wG)
-                {
-                    row<wG> sumA = rowAt<wG>(ga + k)*r[0];
-                    row<wG> sumB = rowAt<wG>(gb + k)*r[0];
-                    for (int j = 1; j < D; ++j)
-                    {
-                        sumA += rowAt<wG>(ga + j*sG + k)*r[j];
-                        sumB += rowAt<wG>(gb + j*sG + k)*r[j];
-                    }
-                    rowAt<wG>(to + atChangeA + k) = sumA;
-                    rowAt<wG>(to + atChangeB + k) = sumB;
-                }
+                    row<wG> sum = rowAt<wG>(g)*r[0];
+                    for (int j = 1; j < D; ++j) sum += rowAt<wG>(g + j*sG)*r[j];
+                    return sum;
+                };
+                to.template putAll<atChangeA, wG, sG>(grad + a*sG*D, change);
+                to.template putAll<atChangeB, wG, sG>(grad + b*sG*D, change);
             }
         }
         of.toLanes();
+
+        const auto changeA = [&](const int k)
+        {
+            return 0.5*of.lane(atChangeA + k);
+        };
+        const auto changeB = [&](const int k)
+        {
+            return 0.5*of.lane(atChangeB + k);
+        };
 
         // Direction of the waves (65)
         vectorLanes area, c, n;
         for (int i = 0; i < D; ++i) area[i] = of.lane(atArea + i);
         if constexpr (finite && D == 3)
         {
-            for (int i = 0; i < D; ++i) c[i] = of.lane(atDeformed + i);
+            for (int i = 0; i < D; ++i) c[i] = 0.5*of.lane(atDeformed + i);
         }
         else if constexpr (finite && D == 2)
         {
@@ -265,7 +357,7 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
         for (int i = 0; i < D; ++i)
         {
             difference[i] = jump[i] = of.lane(atDifference + i);
-            t[i] = of.lane(atT + i);
+            t[i] = 0.5*of.lane(atT + i);
             if constexpr (full)
             {
                 vAvg[i] = 0.5*of.lane(atSum + i);
@@ -284,8 +376,8 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
             vectorLanes da, db;
             for (int i = 0; i < D; ++i)
             {
-                da[i] = of.lane(atChangeA + i);
-                db[i] = of.lane(atChangeB + i);
+                da[i] = changeA(i);
+                db[i] = changeB(i);
             }
             if constexpr (full)
             {
@@ -293,24 +385,27 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
                 (
                     n, difference, da, db
                 );
+                slopeLimiter::limitVectors<limiter>(n, difference, da, db);
+                for (int i = 0; i < D; ++i) jump[i] -= da[i] + db[i];
             }
-            slopeLimiter::limitVectors<limiter>(n, difference, da, db);
-            if constexpr (linear)
+            else
             {
-                slopeLimiter::keepDissipative(n, difference, da, db);
+                jump = slopeLimiter::dissipativeJump<limiter>
+                (
+                    n, difference, da, db
+                );
             }
-            for (int i = 0; i < D; ++i) jump[i] -= da[i] + db[i];
 
             if constexpr (nSJ == 1)
             {
                 jumpSJ -=
                     slopeLimiter::limited<limiter, lanes>
                     (
-                        of.lane(atChangeA + D), differenceSJ
+                        changeA(D), differenceSJ
                     )
                   + slopeLimiter::limited<limiter, lanes>
                     (
-                        of.lane(atChangeB + D), differenceSJ
+                        changeB(D), differenceSJ
                     );
                 if constexpr (linear)
                 {
@@ -329,8 +424,8 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
                     for (int j = 0; j < D; ++j)
                     {
                         const int k = atP_(i, j);
-                        da[i] += of.lane(atChangeA + k)*area[j];
-                        db[i] += of.lane(atChangeB + k)*area[j];
+                        da[i] += changeA(k)*area[j];
+                        db[i] += changeB(k)*area[j];
                     }
                 }
                 tCorrection = slopeLimiter::limitAverage<limiter>
@@ -388,24 +483,24 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
             for (int l = 0; l < some; ++l) dissipation += power[l];
         }
 
-        // To the nodes; the waves add up at both
-        constexpr int wR = strideWidth(sRates);
+        // To the nodes
         constexpr int nRates = atRateF + (full ? nP : 0);
         for (int k = nRates; k < sRates; ++k) flux.set(k, lanes{});
         flux.toRows();
         for (int l = 0; l < some; ++l)
         {
-            scalar* ra = rates + ends[2*l]*sRates;
-            scalar* rb = rates + ends[2*l + 1]*sRates;
-            const scalar* f = flux[l];
+            const index a = ends[2*l];
+            if (a != nodeA) finishUpTo(a);
+            scalar* rb = rates + index(ends[2*l + 1])*sRates;
             for (int k = 0; k < sRates; k += wR)
             {
-                rowAt<wR>(ra + k) += rowAt<wR>(f + k);
-                rowAt<wR>(rb + k) -= rowAt<wR>(f + k);
+                const row<wR> f = rowAt<wR>(flux[l] + k);
+                ratesA[k/wR] += f;
+                rowAt<wR>(rb + k) += rowAt<wR>(sign + k)*f;
             }
-            rb[atWave] += 2*f[atWave];
         }
     }
+    finishUpTo(d.nNodes());
 
     if constexpr (energy)
     {

@@ -151,31 +151,51 @@ void vertexKernelTemplate<D, nSJ, R, finite>::gradients(vertexData& d) const
     constexpr int w = strideWidth(sG);
     const label* edge = d.dual.edgeNodes().cdata();
     const scalar* area = d.edgeArea();
+    const scalar* V = d.dual.nodeVolume().cdata();
     const scalar* W = d.W.cdata();
     const label nEdges = d.dual.nEdges();
 
     d.grad = Zero;
     scalar* grad = d.grad.data();
-    for (label e = 0; e < nEdges; ++e)
-    {
-        const label soon = edge[2*min(e + prefetchDistance, nEdges - 1) + 1];
-        prefetch<nG>(W + soon*sW);
-        prefetch<sG*D>(grad + soon*sG*D);
 
-        const label a = edge[2*e], b = edge[2*e + 1];
+    // Edges are sorted by their first node: with the last of its own, all edges
+    // of a node are done
+    label e = 0, farthest = -1;
+    for (label a = 0; a < d.nNodes(); ++a)
+    {
         scalar* ga = grad + a*sG*D;
-        scalar* gb = grad + b*sG*D;
-        for (int k = 0; k < sG; k += w)
+        row<w> Wa[sG/w], sumA[D*sG/w];
+        for (int k = 0; k < sG/w; ++k) Wa[k] = rowAt<w>(W + a*sW + k*w);
+        for (int k = 0; k < D*sG/w; ++k) sumA[k] = rowAt<w>(ga + k*w);
+
+        for (; e < nEdges && edge[2*e] == a; ++e)
         {
-            const row<w> average =
-                0.5*(rowAt<w>(W + a*sW + k) + rowAt<w>(W + b*sW + k));
-            for (int j = 0; j < D; ++j)
+            const label soon =
+                edge[2*min(e + prefetchDistance, nEdges - 1) + 1];
+            if (soon > farthest)
             {
-                const row<w> f = average*area[D*e + j];
-                rowAt<w>(ga + j*sG + k) += f;
-                rowAt<w>(gb + j*sG + k) -= f;
+                farthest = soon;
+                prefetch<nG>(W + soon*sW);
+                prefetch<sG*D>(grad + soon*sG*D);
+            }
+
+            const label b = edge[2*e + 1];
+            scalar* gb = grad + b*sG*D;
+            for (int k = 0; k < sG/w; ++k)
+            {
+                const row<w> average =
+                    0.5*(Wa[k] + rowAt<w>(W + b*sW + k*w));
+                for (int j = 0; j < D; ++j)
+                {
+                    const row<w> f = average*area[D*e + j];
+                    sumA[j*sG/w + k] += f;
+                    rowAt<w>(gb + j*sG + k*w) -= f;
+                }
             }
         }
+
+        const scalar perV = 1/V[a];
+        for (int k = 0; k < D*sG/w; ++k) rowAt<w>(ga + k*w) = sumA[k]*perV;
     }
 }
 
@@ -189,6 +209,7 @@ void vertexKernelTemplate<D, nSJ, R, finite>::addBoundaryGradients
 ) const
 {
     const FixedList<label, 3>& dir = d.dual.directions();
+    const scalar* V = d.dual.nodeVolume().cdata();
     const scalar* W = d.W.cdata();
     scalar* grad = d.grad.data();
     constexpr int wide = strideWidth(sG);
@@ -223,7 +244,9 @@ void vertexKernelTemplate<D, nSJ, R, finite>::addBoundaryGradients
 
             for (label p = 0; p < nf; ++p)
             {
-                scalar* g = grad + label(sG)*D*patch.cornerNode[start + p];
+                const label a = patch.cornerNode[start + p];
+                const scalar perV = 1/V[a];
+                scalar* g = grad + label(sG)*D*a;
                 for (label j = j0; j < jEnd; ++j)
                 {
                     const scalar* wpj = w + D*(p*nf + j);
@@ -232,31 +255,12 @@ void vertexKernelTemplate<D, nSJ, R, finite>::addBoundaryGradients
                         const row<wide> u = rowAt<wide>(values[j - j0] + k);
                         for (int i = 0; i < D; ++i)
                         {
-                            rowAt<wide>(g + i*sG + k) += u*wpj[i];
+                            rowAt<wide>(g + i*sG + k) += u*(perV*wpj[i]);
                         }
                     }
                 }
             }
         }
-    }
-}
-
-
-template<int D, int nSJ, reconstructionType R, bool finite>
-void vertexKernelTemplate<D, nSJ, R, finite>::scaleGradients
-(
-    vertexData& d
-) const
-{
-    constexpr int w = strideWidth(sG);
-    const scalar* V = d.dual.nodeVolume().cdata();
-    const label n = d.nNodes();
-    scalar* grad = d.grad.data();
-
-    for (label a = 0; a < n; ++a)
-    {
-        const scalar perV = 1/V[a];
-        for (int k = 0; k < sG*D; k += w) rowAt<w>(grad + a*sG*D + k) *= perV;
     }
 }
 
@@ -389,6 +393,7 @@ scalar vertexKernelTemplate<D, nSJ, R, finite>::boundaryFluxLoop
     }
 
     const FixedList<label, 3>& dir = d.dual.directions();
+    const scalar* V = d.dual.nodeVolume().cdata();
     const scalar* W = d.W.cdata();
     scalar* rates = d.rates.data();
     scalar power = 0, storage = 0;
@@ -430,12 +435,13 @@ scalar vertexKernelTemplate<D, nSJ, R, finite>::boundaryFluxLoop
                 }
             }
 
-            for (int i = 0; i < D; ++i) rates[a*sRates + i] += force[i];
+            const scalar perV = 1/V[a];
+            for (int i = 0; i < D; ++i) rates[a*sRates + i] += perV*force[i];
             if constexpr (full)
             {
                 for (int k = 0; k < nP; ++k)
                 {
-                    rates[a*sRates + atRateF + k] += L[k];
+                    rates[a*sRates + atRateF + k] += perV*L[k];
                 }
             }
 
@@ -465,28 +471,6 @@ scalar vertexKernelTemplate<D, nSJ, R, finite>::boundaryFluxLoop
 
     d.numericalDissipation += power - storage;
     return power;
-}
-
-
-template<int D, int nSJ, reconstructionType R, bool finite>
-void vertexKernelTemplate<D, nSJ, R, finite>::scaleRates
-(
-    vertexData& d
-) const
-{
-    const scalar* V = d.dual.nodeVolume().cdata();
-    const label n = d.nNodes();
-
-    for (label a = 0; a < n; ++a)
-    {
-        const scalar perV = 1/V[a];
-        scalar* r = d.rates.data() + a*sRates;
-        for (int i = 0; i < atWave; ++i) r[i] *= perV;
-        if constexpr (full)
-        {
-            for (int k = 0; k < nP; ++k) r[atRateF + k] *= perV;
-        }
-    }
 }
 
 

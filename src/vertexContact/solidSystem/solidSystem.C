@@ -10,6 +10,7 @@
 #include "writtenTimes.H"
 #include "uniformDimensionedFields.H"
 #include "IOdictionary.H"
+#include "PstreamCombineReduceOps.H"
 #include <chrono>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -152,11 +153,25 @@ void Foam::solidSystem::evaluate(const scalar time, const int stage)
     }
     contactSeconds_ += secondsSince(start);
 
-    for (solidBody& body : bodies_)
+    // One message for all bodies
+    const scalar dt = stage == 0 ? 0 : runTime_.deltaTValue();
+    constexpr label n = angularMomentumProjection::nSums;
+    bool sums = false;
+    forAll(bodies_, i)
     {
-        body.computeRates
+        bodies_[i].computeFluxes(energiesOn_, dt, angularSums_.data() + n*i);
+        sums = sums || bodies_[i].correctsAngularMomentum();
+    }
+    if (sums && Pstream::parRun())
+    {
+        Pstream::listCombineGather(angularSums_, plusEqOp<scalar>());
+        Pstream::listCombineScatter(angularSums_);
+    }
+    forAll(bodies_, i)
+    {
+        bodies_[i].finishRates
         (
-            time, energiesOn_, stage == 0 ? 0 : runTime_.deltaTValue()
+            time, energiesOn_, dt, angularSums_.cdata() + n*i
         );
     }
 }
@@ -181,22 +196,42 @@ void Foam::solidSystem::advance(const scalar deltaT, const int stage)
         contact.accumulate(0.5*deltaT);
     }
 
+    // Others hear of it at the end of the step: until then, a state that can
+    // be evaluated
+    if (stage == 0)
+    {
+        if (nBad)
+        {
+            wrongNode_ = describeHere
+            (
+                [](const solidBody& body) { return body.findBadNode(); }
+            );
+            for (solidBody& body : bodies_)
+            {
+                body.restoreOld();
+            }
+        }
+        return;
+    }
+
     // Outdated pairings and signals share the reduction
     bool outdated = false;
-    label asked = 0;
-    if (stage == 1)
+    for (contactInterface& contact : interfaces_)
     {
-        asked = signals_.take();
-        for (contactInterface& contact : interfaces_)
-        {
-            outdated =
-                outdated
-             || (contact.moves() && contact.outdated(runTime_.value()));
-        }
+        outdated =
+            outdated
+         || (contact.moves() && contact.outdated(runTime_.value()));
     }
     const vector all
     (
-        returnReduce(vector(nBad, outdated, asked), sumOp<vector>())
+        returnReduce
+        (
+            vector
+            (
+                nBad + wrongNode_.size(), outdated, signals_.take()
+            ),
+            sumOp<vector>()
+        )
     );
     if (all.x() > 0)
     {
@@ -205,12 +240,9 @@ void Foam::solidSystem::advance(const scalar deltaT, const int stage)
     pairAgain_ = pairAgain_ || all.y() > 0;
     asked_ += label(all.z());
 
-    if (stage == 1)
+    forAll(bodies_, i)
     {
-        forAll(bodies_, i)
-        {
-            accounts_[i].plastic += bodies_[i].commitPlasticity();
-        }
+        accounts_[i].plastic += bodies_[i].commitPlasticity();
     }
 }
 
@@ -250,9 +282,8 @@ Foam::scalar Foam::solidSystem::fitToWriteTimes(const scalar deltaT) const
 
 
 template<class Find>
-Foam::string Foam::solidSystem::describe(const Find& find) const
+Foam::string Foam::solidSystem::describeHere(const Find& find) const
 {
-    string what;
     for (const solidBody& body : bodies_)
     {
         const label node = find(body);
@@ -262,12 +293,17 @@ Foam::string Foam::solidSystem::describe(const Find& find) const
             os  << "region " << body.name() << ", node at "
                 << body.mesh().points()[body.dual().nodePoint()[node]]
                 << " (reference) " << body.position(node) << " (current)";
-            what = os.str();
-            break;
+            return os.str();
         }
     }
+    return string();
+}
+
+
+Foam::string Foam::solidSystem::firstOf(const string& message)
+{
     List<string> all(Pstream::nProcs());
-    all[Pstream::myProcNo()] = what;
+    all[Pstream::myProcNo()] = message;
     Pstream::gatherList(all);
     Pstream::scatterList(all);
     for (const string& s : all)
@@ -277,7 +313,7 @@ Foam::string Foam::solidSystem::describe(const Find& find) const
             return s;
         }
     }
-    return what;
+    return message;
 }
 
 
@@ -295,9 +331,12 @@ void Foam::solidSystem::checkTimeStep()
     {
         return;
     }
-    const string what = describe
+    const string what = firstOf
     (
-        [&](const solidBody& b) { return b.findNodeWithin(timeStepLimit_); }
+        describeHere
+        (
+            [&](const solidBody& b) { return b.findNodeWithin(timeStepLimit_); }
+        )
     );
     if (runTime_.value() != startOfRun_)
     {
@@ -357,9 +396,14 @@ void Foam::solidSystem::stopStep
 void Foam::solidSystem::stopOnBadState()
 {
     // Where, before the state is put back
-    const string where = describe
+    const string where = firstOf
     (
-        [](const solidBody& body) { return body.findBadNode(); }
+        wrongNode_.size()
+      ? wrongNode_
+      : describeHere
+        (
+            [](const solidBody& body) { return body.findBadNode(); }
+        )
     );
     stopStep
     (
@@ -400,15 +444,18 @@ void Foam::solidSystem::checkEnergy()
         if (i == worst) fastest = bodies_[i].largestSpeed();
     }
     reduce(fastest, maxOp<scalar>());
-    const string where = describe
+    const string where = firstOf
     (
-        [&](const solidBody& body)
-        {
-            return
-                &body == &bodies_[worst]
-              ? body.findNodeFasterThan(fastest*(1 - 1e-12))
-              : -1;
-        }
+        describeHere
+        (
+            [&](const solidBody& body)
+            {
+                return
+                    &body == &bodies_[worst]
+                  ? body.findNodeFasterThan(fastest*(1 - 1e-12))
+                  : -1;
+            }
+        )
     );
     OStringStream os;
     os  << "The energy has risen by " << own - leastEnergy_ << " J, "
@@ -548,6 +595,10 @@ Foam::solidSystem::solidSystem(Time& runTime)
     oldStatus_.setSize(bodies_.size());
     oldImpulses_.setSize(interfaces_.size());
     initialEnergy_.setSize(bodies_.size(), scalar(0));
+    angularSums_.setSize
+    (
+        bodies_.size()*angularMomentumProjection::nSums, scalar(0)
+    );
     readAccounts(record);
     maxEnergyRise_ =
         runTime.controlDict().getOrDefault<scalar>("maxEnergyRise", 0);
@@ -667,16 +718,20 @@ void Foam::solidSystem::startStep()
 
     evaluate(startOfStep_, 0);
 
-    scalar shortest = GREAT;
-    for (solidBody& body : bodies_)
-    {
-        shortest = min(shortest, body.timeScale());
-    }
-    timeStepLimit_ = returnReduce(shortest, minOp<scalar>());
-    checkTimeStep();
-
+    // A fixed step needs it only where the Courant number is printed
     const dictionary& control = runTime_.controlDict();
-    if (control.getOrDefault("adjustTimeStep", true))
+    const bool adjusts = control.getOrDefault("adjustTimeStep", true);
+    if (adjusts || timeStepLimit_ == 0 || logs(steps_ + 1))
+    {
+        scalar shortest = GREAT;
+        for (solidBody& body : bodies_)
+        {
+            shortest = min(shortest, body.timeScale());
+        }
+        timeStepLimit_ = returnReduce(shortest, minOp<scalar>());
+        checkTimeStep();
+    }
+    if (adjusts)
     {
         const scalar maxCo = control.getOrDefault<scalar>("maxCo", 0.3);
         dictionaryCheck::require

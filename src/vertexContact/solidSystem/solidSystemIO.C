@@ -138,18 +138,20 @@ void Foam::solidSystem::readAccounts(const dictionary& dict)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+bool Foam::solidSystem::logs(const label steps) const
+{
+    const label interval =
+        runTime_.controlDict().getOrDefault<label>("logInterval", 100);
+    return steps % max(label(1), interval) == 0;
+}
+
+
 void Foam::solidSystem::log()
 {
-    const label interval = max
-    (
-        label(1),
-        runTime_.controlDict().getOrDefault<label>("logInterval", 100)
-    );
-
     const bool last =
         runTime_.value()
       > runTime_.endTime().value() - 0.5*runTime_.deltaTValue();
-    if (steps_ % interval != 0 && !last)
+    if (!logs(steps_) && !last)
     {
         return;
     }
