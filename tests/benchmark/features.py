@@ -3,8 +3,9 @@
 
     . etc/bashrc; tests/benchmark/features.py
 
-One core, fixed step, the least of five runs, in turns, since a machine may be
-faster at one time than at another. Writes features.md beside this file.
+One core, fixed step; medians of seven runs, and of the ratios of runs next to
+each other, since a machine is faster at one time than at another. Writes
+features.md beside this file.
 """
 
 import re
@@ -21,7 +22,7 @@ import numpy as np
 from caseTools import checked
 from smallCases import Body, SmallCase, coulomb, interface
 
-STEPS = 100
+STEPS = 40
 NEO = {"type": "neoHookean", "rho": 1, "E": 1, "nu": 0.3}
 PLASTIC = {**NEO, "type": "HenckyVonMises"}
 YIELDING = {**PLASTIC, "tauY": 1e-9, "Hardening": 0.1}
@@ -124,11 +125,11 @@ class Measured:
         deltaT = float(re.search(r"deltaT\s+(\S+);", (
             case/"system/controlDict").read_text())[1])
         case.set("system/controlDict", {"endTime": (STEPS + 0.5)*deltaT})
-        self.seconds = np.inf
+        self.seconds = []
 
     def run(self):
         log = checked(["vertexContactFoam"], self.case.path)
-        self.seconds = min(self.seconds, float(
+        self.seconds.append(float(
             re.search(r"Steps: \d+ in (\S+) s", log)[1]))
         self.bytes = sum(
             int(nodes)*int(size) for nodes, size in zip(
@@ -142,20 +143,22 @@ def main():
         for i, (group, what, off, on) in enumerate(PAIRS):
             cases = [Measured(make(Path(folder)/f"{i}{name}"))
                      for name, make in (("off", off), ("on", on))]
-            for _ in range(5):
+            for _ in range(7):
                 for case in cases:
                     case.run()
             without, with_ = cases
+            ratios = np.divide(with_.seconds, without.seconds)
             lines.append(
-                f"| {group} | {what} | {1e3*without.seconds/STEPS:.2f} | "
-                f"{1e3*with_.seconds/STEPS:.2f} | "
-                f"{with_.seconds/without.seconds:.2f} | "
+                f"| {group} | {what} | "
+                f"{1e3*np.median(without.seconds)/STEPS:.2f} | "
+                f"{1e3*np.median(with_.seconds)/STEPS:.2f} | "
+                f"{np.median(ratios):.2f} | "
                 f"{with_.bytes/without.bytes:.2f} |")
             print(lines[-1], flush=True)
     (here/"features.md").write_text(f"""# What each feature costs
 
 Written by `tests/benchmark/features.py`: blocks of 24 x 24 x 24 hexahedra as tetrahedra (two of 20 x 20 x 20 for contact), neo-Hookean,
-defaults, one core, {STEPS} steps, the least of five runs in turns. Memory: what the body stores and its dual mesh, without OpenFOAM's mesh.
+defaults, one core, {STEPS} steps; medians of seven runs, and of the ratios of runs in turns. Memory: what the body stores and its dual mesh, without OpenFOAM's mesh.
 
 | | | off [ms a step] | on [ms a step] | time, on/off | memory, on/off |
 |---|---|---|---|---|---|

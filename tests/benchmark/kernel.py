@@ -2,13 +2,14 @@
 """Time per node and step of the kernels, by dimension, cells, material,
 reconstruction, limiter, kinematics and size.
 
-    . etc/bashrc; tests/benchmark/kernel.py [-few] [-baseline]
+    . etc/bashrc; tests/benchmark/kernel.py [-few] [-before FOLDER]
 
 One core, fixed step, a block that is stretched, no output, nothing in contact;
-the least of three runs, start-up not counted. Writes kernel.csv, kernel.md and
-kernel.png beside this file. kernelBaseline.csv holds the figures of the same
-runs before the work on speed, and of the same machine: with -baseline that file
-is written instead. -few: up to 205,379 nodes; linear and full reconstruction.
+the median of three runs, start-up not counted. Writes kernel.csv, kernel.md and
+kernel.png beside this file. -before: also runs the build in another clone of
+the repository, in turns with this one, since a machine is faster at one time
+than at another; else its figures are those in kernel.csv. -few: up to 205,379
+nodes; linear and full reconstruction.
 """
 
 import csv
@@ -94,11 +95,11 @@ def components(d, options):
 
 def leastBytes(d, edges, options):
     """What a stage must move per node, each array once in each pass: state
-    read and written, the old one written or read; flux state written, and read
+    read and written, the old one read in the second stage; flux state written, and read
     with the gradients and with the fluxes; gradients and rates written and
     read; position, volumes, H with the fluxes; edges twice."""
     state, nH, nW, nG, rates = components(d, options)
-    scalars = 3*state + 2*nW + nG + 2*d*nG + 2*rates + d + 2 + nH
+    scalars = 2.5*state + 2*nW + nG + 2*d*nG + 2*rates + d + 2 + nH
     return 8*scalars + 2*edges*(8*d + 8)
 
 
@@ -116,44 +117,52 @@ def make(folder, block, cells, options):
         "writeControl": "none", "timePrecision": 12})
 
 
-def run(case, cells, steps):
-    """Wall clock time, and the log."""
-    case.set("system/controlDict", {"endTime": (steps + 0.5)*0.05/cells})
-    start = time.perf_counter()
-    log = checked(["vertexContactFoam"], case.path)
-    return time.perf_counter() - start, log
+def run(case, cells, steps, root):
+    """µs per node and step; nodes, edges and bytes per node."""
+    def log(n):
+        case.set("system/controlDict", {"endTime": (n + 0.5)*0.05/cells})
+        start = time.perf_counter()
+        text = checked(["bash", "-c", ". \"$0\"/etc/bashrc; "
+                        "exec vertexContactFoam", str(root)], case.path)
+        return time.perf_counter() - start, text
+
+    seconds, text = log(steps)
+    nodes, edges = map(int, re.search(r"(\d+) nodes, (\d+) edges",
+                                      text).groups())
+    size = int(re.findall(r"(\d+) bytes per node", text)[-1])
+    told = re.search(r"(\S+) us per node and step", text)
+    if told:
+        return float(told[1]), nodes, edges, size
+    # Builds from before the solver told it
+    return 1e6*(seconds - log(1)[0])/((steps - 1)*nodes), nodes, edges, size
 
 
-def measure(folder, block, cells, options):
+def measure(folder, block, cells, options, before):
     d = BLOCKS[block][0]
     case = make(folder, block, cells, options)
-    steps = max(10, int(1e6/(cells + 1)**d))
-    log = run(case, cells, 1)[1]
-    nodes, edges = map(int, re.search(r"(\d+) nodes, (\d+) edges", log).groups())
-    size = [int(n) for n in re.findall(r"(\d+) bytes per node", log)]
-    told = r"(\S+) us per node and step"
-    times = []
+    steps = max(11, int(1e6/(cells + 1)**d))
+    times, old = [], []
     for _ in range(3):
-        if re.search(told, log):
-            log = run(case, cells, steps)[1]
-            times.append(float(re.search(told, log)[1]))
-        else:
-            # Builds from before the solver told it
-            t1, tn = (run(case, cells, n)[0] for n in (1, steps + 1))
-            times.append(1e6*(tn - t1)/(steps*nodes))
+        us, nodes, edges, size = run(case, cells, steps, root)
+        times.append(us)
+        if before:
+            old.append(run(case, cells, steps, before)[0])
+    us = float(np.median(times))
+    ratio = float(np.median(np.divide(old, times))) if before else None
     return {"block": block, "nodes": nodes, **options,
-            "edges": round(edges/nodes, 2), "stored": size[-1],
-            "us": round(min(times), 4),
+            "edges": round(edges/nodes, 2), "stored": size,
+            "us": round(us, 4),
+            "before": round(us*ratio, 4) if before else "",
             "leastBytes": round(leastBytes(d, edges/nodes, options))}
 
 
-def table(rows, before, stream):
+def table(rows, stream):
     lines = ["| block | nodes | material | reconstruction | limiter | "
              "kinematics | µs per node and stage | before | ratio | "
              "bytes stored per node | least bytes of a stage | "
              "share of the bandwidth bound |", "|" + "---|"*12]
     for r in rows:
-        old = before.get(tuple(str(r[k]) for k in KEYS))
+        old = float(r["before"] or 0)
         stage = r["us"]/2
         bound = r["leastBytes"]/(1e3*stream)
         lines.append(
@@ -186,7 +195,9 @@ def picture(rows, stream):
 
 
 def main(*flags):
-    few, baseline = "-few" in flags, "-baseline" in flags
+    few = "-few" in flags
+    before = Path(flags[flags.index("-before") + 1]).resolve() \
+        if "-before" in flags else None
     wanted = [("3D", n, BASE) for n in (SIZES[::3] if few else SIZES)]
     wanted += [(block, BLOCKS[block][2], options)
                for block in BLOCKS for options in VARIANTS
@@ -198,28 +209,26 @@ def main(*flags):
         folder = Path(folder)
         stream = bandwidth(folder)
         for i, (block, cells, options) in enumerate(wanted):
-            rows.append(measure(folder/str(i), block, cells, options))
+            rows.append(measure(folder/str(i), block, cells, options, before))
             print(*rows[-1].values(), flush=True)
         stream = max(stream, bandwidth(folder))
-    name = "kernelBaseline.csv" if baseline else "kernel.csv"
-    with open(here/name, "w", newline="") as out:
+    if not before and (here/"kernel.csv").exists():
+        with open(here/"kernel.csv") as file:
+            known = {tuple(r[k] for k in KEYS): r["before"]
+                     for r in csv.DictReader(file)}
+        for r in rows:
+            r["before"] = known.get(tuple(str(r[k]) for k in KEYS), "")
+    with open(here/"kernel.csv", "w", newline="") as out:
         writer = csv.DictWriter(out, rows[0].keys())
         writer.writeheader()
         writer.writerows(rows)
-    if baseline:
-        return
-    before = {}
-    if (here/"kernelBaseline.csv").exists():
-        with open(here/"kernelBaseline.csv") as file:
-            before = {tuple(r[k] for k in KEYS): float(r["us"])
-                      for r in csv.DictReader(file)}
     picture(rows, stream)
     commit = subprocess.run(["git", "-C", str(root), "describe", "--always",
                              "--dirty"], capture_output=True, text=True)
     (here/"kernel.md").write_text(f"""# Speed of the kernels
 
-Written by `tests/benchmark/kernel.py`, build {commit.stdout.strip() or "unknown"}. One core, two stages a step, no output; the least of three
-runs. *Before*: the same runs before the edge loops were rewritten, on the same machine. The bandwidth bound is the time that the triad of STREAM
+Written by `tests/benchmark/kernel.py`, build {commit.stdout.strip() or "unknown"}. One core, two stages a step, no output; the median of
+three runs. *Before*: the same runs with the build before the edge loops were rewritten, in turns with these. The bandwidth bound is the time that the triad of STREAM
 on this core, {stream:.1f} GB/s, needs for the bytes that a stage must move (`leastBytes` in the script says which).
 
 {table(rows, before, stream)}

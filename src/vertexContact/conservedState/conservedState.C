@@ -74,13 +74,23 @@ void Foam::conservedState::makePlastic()
 }
 
 
-void Foam::conservedState::assignElastic(const conservedState& other)
+void Foam::conservedState::assignSolved(const conservedState& other)
 {
     lm = other.lm;
     disp = other.disp;
     F = other.F;
-    H = other.H;
+    if (solvesH) H = other.H;
     J = other.J;
+}
+
+
+void Foam::conservedState::exchangeSolved(conservedState& other)
+{
+    lm.swap(other.lm);
+    disp.swap(other.disp);
+    F.swap(other.F);
+    if (solvesH) H.swap(other.H);
+    J.swap(other.J);
 }
 
 

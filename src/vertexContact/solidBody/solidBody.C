@@ -730,13 +730,16 @@ void Foam::solidBody::keepPlasticity()
 
 void Foam::solidBody::restoreOld()
 {
-    data_.state.assignElastic(data_.old);
+    data_.state.assignSolved(data_.old);
     data_.state.sinceCommit = 0;
     if (keptCpi_.size())
     {
         data_.state.Cpi = keptCpi_;
         data_.state.epsilonPEq = keptStrain_;
     }
+
+    // What follows from the state, as stresses need it
+    kernel_->velocities(data_);
 }
 
 

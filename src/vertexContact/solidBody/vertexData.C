@@ -53,7 +53,12 @@ Foam::vertexData::vertexData
     W(dual.nNodes()*strideW),
     grad(dual.nNodes()*strideG*dual.nDim()),
     rates(dual.nNodes()*strideRates)
-{}
+{
+    if (!old.solvesH)
+    {
+        old.H.clear();
+    }
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

@@ -510,14 +510,16 @@ label vertexKernelTemplate<D, nSJ, R, finite>::advanceNodes
     const scalar* W = d.W.cdata();
     conservedState& s = d.state;
     conservedState& o = d.old;
+    const conservedState& next = stage == 0 ? o : s;
     label nBad = 0;
 
-    // u <- u + dt r, in the second stage averaged with the old u
+    // u + dt r, in the first stage instead of the old u, with which u changes
+    // places afterwards; in the second one averaged with it
     const auto update = [deltaT]
     (
         auto count,
         scalar* __restrict u,
-        scalar* __restrict uOld,
+        scalar* __restrict uOther,
         const scalar* __restrict rate
     )
     {
@@ -526,12 +528,11 @@ label vertexKernelTemplate<D, nSJ, R, finite>::advanceNodes
         for (int k = 0; k < m; ++k) now[k] = u[k] + deltaT*rate[k];
         if constexpr (stage == 0)
         {
-            for (int k = 0; k < m; ++k) uOld[k] = u[k];
-            for (int k = 0; k < m; ++k) u[k] = now[k];
+            for (int k = 0; k < m; ++k) uOther[k] = now[k];
         }
         else
         {
-            for (int k = 0; k < m; ++k) u[k] = 0.5*(uOld[k] + now[k]);
+            for (int k = 0; k < m; ++k) u[k] = 0.5*(uOther[k] + now[k]);
         }
     };
     using one = std::integral_constant<int, 1>;
@@ -580,16 +581,20 @@ label vertexKernelTemplate<D, nSJ, R, finite>::advanceNodes
 
         // A state that cannot be continued
         bool good = true;
-        for (int i = 0; i < D; ++i) good = good && std::isfinite(s.lm[a*D + i]);
+        for (int i = 0; i < D; ++i) good = good && std::isfinite(next.lm[a*D + i]);
         if constexpr (finite)
         {
-            const scalar detF = determinant(loadF<D>(s.F.cdata(), a));
+            const scalar detF = determinant(loadF<D>(next.F.cdata(), a));
             good = good && detF > 0;
-            if constexpr (nSJ == 1) good = good && s.J[a] > 0;
+            if constexpr (nSJ == 1) good = good && next.J[a] > 0;
         }
         if (!good) ++nBad;
     }
 
+    if (stage == 0)
+    {
+        s.exchangeSolved(o);
+    }
     return nBad;
 }
 
