@@ -519,6 +519,13 @@ void Foam::solidBody::setGravity(const vector& g)
 }
 
 
+void Foam::solidBody::releaseMeshTables()
+{
+    // Not those of polyMesh: point fields refer to its mesh objects
+    mesh_.primitiveMesh::clearOut();
+}
+
+
 void Foam::solidBody::prepare(const scalar time)
 {
     kernel_->velocities(data_);

@@ -608,6 +608,11 @@ Foam::solidSystem::solidSystem(Time& runTime)
     }
     startOfRun_ = runTime_.value();
 
+    for (solidBody& body : bodies_)
+    {
+        body.releaseMeshTables();
+    }
+
     // Time::run() compares the end with deltaT, which is not ours before the
     // first step
     const scalar left = runTime_.endTime().value() - startOfRun_;
