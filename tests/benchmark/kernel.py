@@ -231,7 +231,7 @@ Written by `tests/benchmark/kernel.py`, build {commit.stdout.strip() or "unknown
 three runs. *Before*: the same runs with the build before the edge loops were rewritten, in turns with these. The bandwidth bound is the time that the triad of STREAM
 on this core, {stream:.1f} GB/s, needs for the bytes that a stage must move (`leastBytes` in the script says which).
 
-{table(rows, before, stream)}
+{table(rows, stream)}
 
 ![µs per node and stage by bytes](kernel.png)
 """)

@@ -22,7 +22,7 @@ namespace
 template<class T>
 struct limitedEdge
 {
-    SolidVector<3, T> average, da, db;
+    SolidVector<3, T> average, da, db, jump;
     T change;
 };
 
@@ -41,6 +41,7 @@ limitedEdge<T> limitEdge
     r.average = slopeLimiter::limitAverage<L>(n, D, da, db);
     slopeLimiter::limitVectors<L>(n, D, r.da, r.db);
     slopeLimiter::keepDissipative(n, D, r.da, r.db);
+    r.jump = slopeLimiter::dissipativeJump<L>(n, D, da, db);
     r.change = slopeLimiter::limited<L, T>(da[0], D[0]);
     return r;
 }
@@ -84,6 +85,7 @@ void compare()
                 CHECK(mag(all.average[i][l] - r.average[i]) <= 1e-14);
                 CHECK(mag(all.da[i][l] - r.da[i]) <= 1e-14);
                 CHECK(mag(all.db[i][l] - r.db[i]) <= 1e-14);
+                CHECK(mag(all.jump[i][l] - r.jump[i]) <= 1e-14);
             }
         }
     }

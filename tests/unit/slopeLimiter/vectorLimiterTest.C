@@ -255,6 +255,33 @@ TEST_CASE("The jump that remains dissipates along n and across",
 }
 
 
+template<limiterType L>
+void compareJumps()
+{
+    Random random(17);
+    for (label sample = 0; sample < 1000; ++sample)
+    {
+        const vector3 n(randomDirection(random)), D(randomSolidVector(random));
+        vector3 da(randomSolidVector(random)), db(randomSolidVector(random));
+        const vector3 jump = slopeLimiter::dissipativeJump<L>(n, D, da, db);
+        limitVectors<L>(n, D, da, db);
+        keepDissipative(n, D, da, db);
+        for (int i = 0; i < 3; ++i)
+        {
+            CHECK(mag(jump[i] - (D[i] - da[i] - db[i])) < 1e-13);
+        }
+    }
+}
+
+TEST_CASE("The jump in one go is that of the limiters one after the other",
+    "[slopeLimiter]")
+{
+    compareJumps<limiterType::none>();
+    compareJumps<BJ>();
+    compareJumps<smooth>();
+}
+
+
 TEST_CASE("No arithmetic error of vector limiters at the extremes",
     "[slopeLimiter]")
 {
@@ -274,11 +301,13 @@ TEST_CASE("No arithmetic error of vector limiters at the extremes",
             }
             const vector3 c(limitAverage<BJ>(n, D, da, db));
             const vector3 s(limitAverage<smooth>(n, D, da, db));
+            const vector3 jump(slopeLimiter::dissipativeJump<BJ>(n, D, da, db));
             limitVectors<BJ>(n, D, da, db);
             keepDissipative(n, D, da, db);
             for (int i = 0; i < 3; ++i)
             {
                 CHECK(std::isfinite(c[i]));
+                CHECK(std::isfinite(jump[i]));
                 CHECK(std::isfinite(s[i]));
                 CHECK(std::isfinite(da[i] + db[i]));
             }

@@ -31,7 +31,7 @@ TEST_CASE("lanes are transposed", "[lanes][serial]")
 }
 
 
-TEST_CASE("inverse roots are exact to the last bits", "[lanes][serial]")
+TEST_CASE("inverses and inverse roots are exact to the last bits", "[lanes][serial]")
 {
     // Mantissas and exponents of both parities, and thirds
     Random random(1);
@@ -47,18 +47,40 @@ TEST_CASE("inverse roots are exact to the last bits", "[lanes][serial]")
                 CHECK(mag(square[l]*std::sqrt(a) - 1) <= 1e-15);
             }
             CHECK(mag(inverseCubeRoot(a)*std::cbrt(a) - 1) <= 1e-15);
+
+            const lanes inverse = reciprocal(uniform<lanes>(a));
+            for (int l = 0; l < nLanes; ++l)
+            {
+                CHECK(mag(inverse[l]*a - 1) <= 1e-15);
+            }
         }
     }
 
     // Areas of edges that are next to nothing
     const lanes tiny = inverseSquareRoot(uniform<lanes>(VSMALL));
     CHECK(mag(tiny[0]*std::sqrt(VSMALL) - 1) <= 1e-15);
+    for (const scalar a : {VSMALL, 1e240})
+    {
+        CHECK(mag(reciprocal(uniform<lanes>(a))[0]*a - 1) <= 1e-15);
+    }
 
     // Beyond the range of states: as the library's
     for (const scalar a : {1e-200, 1e200, -8.0})
     {
         CHECK(mag(inverseCubeRoot(a)*std::cbrt(a) - 1) <= 1e-15);
     }
+}
+
+
+TEST_CASE("pairs of rows are stored side by side", "[rows][serial]")
+{
+    scalar from[8], to[10];
+    for (int k = 0; k < 8; ++k) from[k] = k + 1;
+    to[0] = to[9] = 0;
+    storePair(to + 1, rowAt<4>(from), rowAt<4>(from + 4));
+    for (int k = 0; k < 8; ++k) CHECK(to[k + 1] == from[k]);
+    CHECK(to[0] == 0);
+    CHECK(to[9] == 0);
 }
 
 

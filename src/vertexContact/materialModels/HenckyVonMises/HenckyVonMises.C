@@ -42,7 +42,12 @@ struct trialState
         const scalar mu
     )
     :
-        b(leftCauchyGreen(F, Cpi))
+        trialState(principalValues<D>(leftCauchyGreen(F, Cpi)), mu)
+    {}
+
+    trialState(const principalValues<D>& ofB, const scalar mu)
+    :
+        b(ofB)
     {
         mean = 0;
         for (int i = 0; i < 3; ++i)
@@ -113,6 +118,38 @@ void storeCpi(conservedState& s, const label i, const SolidTensor<D>& C)
     if (D < 3) *p = C.out;
 }
 
+//- Call f(i, trial) with all nodes and their trial states. Principal values,
+//  most of the time, are those of many nodes at once
+template<int D, class Function>
+void forTrialStates
+(
+    const conservedState& s,
+    const scalar mu,
+    const Function& f
+)
+{
+    SolidTensor<D> b[nLanes];
+    principalValues<D> principal[nLanes];
+
+    for (label first = 0; first < s.nNodes; first += nLanes)
+    {
+        const label end = min(first + nLanes, s.nNodes);
+        for (int l = 0; l < nLanes; ++l)
+        {
+            const label i = min(first + l, end - 1);
+            b[l] = trialState<D>::leftCauchyGreen
+            (
+                loadF<D>(s.F.cdata(), i), loadCpi<D>(s, i)
+            );
+        }
+        principalValues<D>::ofLanes(b, principal);
+        for (label i = first; i < end; ++i)
+        {
+            f(i, trialState<D>(principal[i - first], mu));
+        }
+    }
+}
+
 } // End anonymous namespace
 
 
@@ -130,7 +167,7 @@ void Foam::HenckyVonMises::stressLoop
 {
     const scalar twoMu = 2*mu(), threeMu = 3*mu();
 
-    for (label i = 0; i < s.nNodes; ++i)
+    forTrialStates<D>(s, mu(), [&](const label i, const trialState<D>& trial)
     {
         const SolidTensor<D> F = loadF<D>(s.F.cdata(), i);
         const SolidTensor<D> G = cofactor(F);
@@ -139,7 +176,6 @@ void Foam::HenckyVonMises::stressLoop
             s.solvesH ? loadH<D>(F, s.H.cdata(), i) : G;
         const scalar J = s.solvesJ ? s.J[i] : detF;
 
-        const trialState<D> trial(F, loadCpi<D>(s, i), mu());
         const scalar strain = s.epsilonPEq[i];
         scalar shrink = 1;
         if (trial.q > yield.yield(strain))
@@ -168,7 +204,7 @@ void Foam::HenckyVonMises::stressLoop
             }
         }
         if (SigmaJ) SigmaJ[i*stride] = SJ;
-    }
+    });
 }
 
 
@@ -183,16 +219,15 @@ Foam::scalar Foam::HenckyVonMises::commitLoop
     const scalar threeMu = 3*mu();
     scalar dissipated = 0;
 
-    for (label i = 0; i < s.nNodes; ++i)
+    forTrialStates<D>(s, mu(), [&](const label i, const trialState<D>& trial)
     {
-        const SolidTensor<D> F = loadF<D>(s.F.cdata(), i);
-        const trialState<D> trial(F, loadCpi<D>(s, i), mu());
         const scalar strain = s.epsilonPEq[i];
         const scalar before = yield.yield(strain);
         if (!(trial.q > before))
         {
-            continue;
+            return;
         }
+        const SolidTensor<D> F = loadF<D>(s.F.cdata(), i);
 
         const scalar d =
             yield.increment(trial.q, strain, threeMu, s.sinceCommit);
@@ -230,7 +265,7 @@ Foam::scalar Foam::HenckyVonMises::commitLoop
         // Work of the flow: the mean stress of the increment, also where it
         // is above the yield stress at rest
         dissipated += weight[i]*d*0.5*(before + shrink*trial.q);
-    }
+    });
 
     s.sinceCommit = 0;
     return dissipated;
