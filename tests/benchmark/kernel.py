@@ -194,6 +194,22 @@ def picture(rows, stream):
     figure.savefig(here/"kernel.png", dpi=120)
 
 
+def page(rows, stream):
+    picture(rows, stream)
+    commit = subprocess.run(["git", "-C", str(root), "describe", "--always",
+                             "--dirty"], capture_output=True, text=True)
+    (here/"kernel.md").write_text(f"""# Speed of the kernels
+
+Written by `tests/benchmark/kernel.py`, build {commit.stdout.strip() or "unknown"}. One core, two stages a step, no output; the median of
+three runs. *Before*: the same runs with the build before the edge loops were rewritten, in turns with these. The bandwidth bound is the time that the triad of STREAM
+on this core, {stream:.1f} GB/s, needs for the bytes that a stage must move (`leastBytes` in the script says which).
+
+{table(rows, stream)}
+
+![µs per node and stage by bytes](kernel.png)
+""")
+
+
 def main(*flags):
     few = "-few" in flags
     before = Path(flags[flags.index("-before") + 1]).resolve() \
@@ -222,19 +238,7 @@ def main(*flags):
         writer = csv.DictWriter(out, rows[0].keys())
         writer.writeheader()
         writer.writerows(rows)
-    picture(rows, stream)
-    commit = subprocess.run(["git", "-C", str(root), "describe", "--always",
-                             "--dirty"], capture_output=True, text=True)
-    (here/"kernel.md").write_text(f"""# Speed of the kernels
-
-Written by `tests/benchmark/kernel.py`, build {commit.stdout.strip() or "unknown"}. One core, two stages a step, no output; the median of
-three runs. *Before*: the same runs with the build before the edge loops were rewritten, in turns with these. The bandwidth bound is the time that the triad of STREAM
-on this core, {stream:.1f} GB/s, needs for the bytes that a stage must move (`leastBytes` in the script says which).
-
-{table(rows, stream)}
-
-![µs per node and stage by bytes](kernel.png)
-""")
+    page(rows, stream)
 
 
 if __name__ == "__main__":
