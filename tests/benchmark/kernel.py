@@ -179,16 +179,18 @@ def picture(rows, stream):
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
     figure, axes = plt.subplots(figsize=(7, 5))
-    most = max(r["leastBytes"] for r in rows)*1.2
-    line = np.linspace(0, most, 2)
+    least = [r["leastBytes"] for r in rows]
+    line = np.array((min(least)/1.3, max(least)*1.3))
     axes.plot(line, line/(1e3*stream), "k-",
               label=f"bandwidth, {stream:.1f} GB/s")
+    axes.plot(line, 2*line/(1e3*stream), "k--", label="half of it")
     for block, marker in zip(BLOCKS, "sdo^"):
         mine = [r for r in rows if r["block"] == block]
         axes.plot([r["leastBytes"] for r in mine],
                   [r["us"]/2 for r in mine], marker, label=block)
     axes.set(xlabel="bytes that a stage must move per node",
-             ylabel="µs per node and stage", yscale="log")
+             ylabel="µs per node and stage", xscale="log",
+             yscale="log")
     axes.legend()
     figure.tight_layout()
     figure.savefig(here/"kernel.png", dpi=120)
