@@ -451,6 +451,45 @@ def test_energy_rise(tmp_path, figures, ranks):
             1e-5*t[first])
 
 
+@pytest.mark.parametrize("ranks, speed, kinematics", (
+    (1, 20, "FHJ"), (1, 60, "FHJ"), (2, 20, "FHJ"), (3, 60, "FHJ"),
+    (1, 60, "F"), (2, 20, "FJ")))
+def test_bad_state(tmp_path, figures, ranks, speed, kinematics):
+    """A corner that is turned inside out, on one rank only: all write the state
+    at the start of that step, which is that of a run that ends there."""
+    def velocity(X):
+        return np.where(X.sum(axis=1, keepdims=True) < 0.6, speed, 0)*(1, 1, 1)
+
+    body = Body(cells=(5, 5, 5), material=RUBBER, velocity=velocity,
+                scheme={"kinematics": kinematics})
+    cases = [SmallCase(tmp_path/name, body, 1, control={
+        "adjustTimeStep": "no", "deltaT": 1e-3, "timePrecision": 12})
+        for name in ("failing", "ending")]
+    for case in cases:
+        if ranks > 1:
+            case.decompose(ranks)
+    failing, ending = cases
+    with Running(failing, ranks) as run:
+        code, log = run.end(120)
+    told = re.search(r"The state is not finite or has a Jacobian that is not "
+                     r"positive: region body, node at \((\S+) (\S+) (\S+)\) "
+                     r"\(reference\).*, in the step to time (\S+) s", log)
+    last = timeFolders(failing/folders(ranks)[0])[-1]
+    ending.set("system/controlDict", {
+        "endTime": float(last), "writeInterval": float(last)})
+    with Running(ending, ranks) as run:
+        assert run.end(120)[0] == 0
+    with figures(f"bad state, {speed} m/s, {kinematics}, {ranks} ranks") as f:
+        f.equal("fails", code != 0, True)
+        f.equal("says where and when", bool(told), True)
+        f.atMost("distance of the place from the corner", float(
+            np.linalg.norm([float(x) for x in told.groups()[:3]])), 0.8)
+        f.within("step from the time written [s]",
+                 float(told[4]) - float(last), 1e-3, 1e-9)
+        f.equal("files that differ from the run that ends there", differing(
+            contents(failing, last, ranks), contents(ending, last, ranks)), [])
+
+
 def rewrite(case, file, **entries):
     """All at once: a running program may look at any instant; and a minute
     younger, for OpenFOAM takes only files that are 10 s younger

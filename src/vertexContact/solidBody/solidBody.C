@@ -745,7 +745,7 @@ void Foam::solidBody::restoreOld()
         data_.state.epsilonPEq = keptStrain_;
     }
 
-    // What follows from the state, as stresses need it
+    // Velocities, and a cofactor that is not solved, are those of the state
     kernel_->velocities(data_);
 }
 
