@@ -59,61 +59,56 @@ def pair(folder, gap, pairing="nearestFace", law="frictionless", speed=0.02,
                               "timePrecision": 12})
 
 
-# Group, off and on, and the bound of the ratio that is asked for, if any
+# Group, what, the function that makes the case, and its arguments off and on
+CELLS = {"cells": (24,)*3}
+MIRRORS = {side: {"type": "symmetryPlane"}
+           for side in ("bottom", "top", "back", "front")}
+FREE = {"gap": 0.1, "contact": False}
 PAIRS = (
-    ("limiter", "Barth-Jespersen against none",
-     lambda p: block(p, (24,)*3, limiter="none"), lambda p: block(p, (24,)*3)),
-    ("reconstruction", "linear against none",
-     lambda p: block(p, (24,)*3, reconstruction="none"),
-     lambda p: block(p, (24,)*3, reconstruction="linear")),
-    ("reconstruction", "full (default) against linear",
-     lambda p: block(p, (24,)*3, reconstruction="linear"),
-     lambda p: block(p, (24,)*3)),
-    ("kinematics", "J solved against F alone",
-     lambda p: block(p, (24,)*3, kinematics="F"),
-     lambda p: block(p, (24,)*3, kinematics="FJ")),
-    ("kinematics", "H and J solved against J",
-     lambda p: block(p, (24,)*3, kinematics="FJ"),
-     lambda p: block(p, (24,)*3)),
-    ("strain", "finite against small",
-     lambda p: block(p, (24,)*3, SMALL), lambda p: block(p, (24,)*3)),
-    ("plasticity", "no node yields against neo-Hookean",
-     lambda p: block(p, (24,)*3),
-     lambda p: block(p, (24,)*3, {**PLASTIC, "tauY": 1e3})),
-    ("plasticity", "every node yields against neo-Hookean",
-     lambda p: block(p, (24,)*3), lambda p: block(p, (24,)*3, YIELDING)),
-    ("angular momentum", "preserved (default) against not",
-     lambda p: block(p, (24,)*3, preserveAngularMomentum="no"),
-     lambda p: block(p, (24,)*3)),
-    ("energies", "solidEnergies each step against none",
-     lambda p: block(p, (24,)*3), lambda p: block(p, (24,)*3, functions=True)),
-    ("energies", "maxEnergyRise against none",
-     lambda p: block(p, (24,)*3),
-     lambda p: block(p, (24,)*3, control={"maxEnergyRise": 1})),
-    ("contact", "nearestFace, 10 lengths apart, against free bodies",
-     lambda p: pair(p, 10, contact=False), lambda p: pair(p, 10)),
-    ("contact", "nearestFace, near, against free bodies",
-     lambda p: pair(p, 0.1, contact=False, speed=0),
-     lambda p: pair(p, 0.1, speed=0)),
-    ("contact", "nearestFace, in contact, against free bodies",
-     lambda p: pair(p, 0.1, contact=False), lambda p: pair(p, 0)),
-    ("contact", "AMI, in contact, against free bodies",
-     lambda p: pair(p, 0.1, contact=False), lambda p: pair(p, 0, "AMI")),
-    ("contact", "matching, in contact, against free bodies",
-     lambda p: pair(p, 0.1, contact=False), lambda p: pair(p, 0, "matching")),
-    ("contact", "Coulomb friction against frictionless, matching",
-     lambda p: pair(p, 0, "matching"),
-     lambda p: pair(p, 0, "matching", coulomb(0.3))),
-    ("dimension", "one layer of 3D against the same in 2D",
-     lambda p: block(p, (100, 100)),
-     lambda p: block(p, (100, 100, 1), size=(1, 1, 0.01), sides={
-         "back": {"type": "symmetryPlane"},
-         "front": {"type": "symmetryPlane"}})),
-    ("dimension", "one row of 2D against the same in 1D",
-     lambda p: block(p, (10000,)),
-     lambda p: block(p, (10000, 1), size=(1, 1e-4, 1), sides={
-         "bottom": {"type": "symmetryPlane"},
-         "top": {"type": "symmetryPlane"}})),
+    ("limiter", "Barth-Jespersen against none", block,
+     {**CELLS, "limiter": "none"}, CELLS),
+    ("reconstruction", "linear against none", block,
+     {**CELLS, "reconstruction": "none"},
+     {**CELLS, "reconstruction": "linear"}),
+    ("reconstruction", "full (default) against linear", block,
+     {**CELLS, "reconstruction": "linear"}, CELLS),
+    ("kinematics", "J solved against F alone", block,
+     {**CELLS, "kinematics": "F"}, {**CELLS, "kinematics": "FJ"}),
+    ("kinematics", "H and J solved against J", block,
+     {**CELLS, "kinematics": "FJ"}, CELLS),
+    ("strain", "finite against small", block,
+     {**CELLS, "material": SMALL}, CELLS),
+    ("plasticity", "no node yields against neo-Hookean", block,
+     CELLS, {**CELLS, "material": {**PLASTIC, "tauY": 1e3}}),
+    ("plasticity", "every node yields against neo-Hookean", block,
+     CELLS, {**CELLS, "material": YIELDING}),
+    ("angular momentum", "preserved (default) against not", block,
+     {**CELLS, "preserveAngularMomentum": "no"}, CELLS),
+    ("energies", "solidEnergies each step against none", block,
+     CELLS, {**CELLS, "functions": True}),
+    ("energies", "maxEnergyRise against none", block,
+     CELLS, {**CELLS, "control": {"maxEnergyRise": 1}}),
+    ("contact", "nearestFace, 10 lengths apart, against free bodies", pair,
+     {"gap": 10, "contact": False}, {"gap": 10}),
+    ("contact", "nearestFace, near, against free bodies", pair,
+     {**FREE, "speed": 0}, {"gap": 0.1, "speed": 0}),
+    ("contact", "nearestFace, in contact, against free bodies", pair,
+     FREE, {"gap": 0}),
+    ("contact", "AMI, in contact, against free bodies", pair,
+     FREE, {"gap": 0, "pairing": "AMI"}),
+    ("contact", "matching, in contact, against free bodies", pair,
+     FREE, {"gap": 0, "pairing": "matching"}),
+    ("contact", "Coulomb friction against frictionless, matching", pair,
+     {"gap": 0, "pairing": "matching"},
+     {"gap": 0, "pairing": "matching", "law": coulomb(0.3)}),
+    ("dimension", "one layer of 3D against the same in 2D", block,
+     {"cells": (100, 100)},
+     {"cells": (100, 100, 1), "size": (1, 1, 0.01),
+      "sides": {k: MIRRORS[k] for k in ("back", "front")}}),
+    ("dimension", "one row of 2D against the same in 1D", block,
+     {"cells": (10000,)},
+     {"cells": (10000, 1), "size": (1, 1e-4, 1),
+      "sides": {k: MIRRORS[k] for k in ("bottom", "top")}}),
 )
 
 
@@ -140,9 +135,9 @@ class Measured:
 def main():
     lines = []
     with tempfile.TemporaryDirectory() as folder:
-        for i, (group, what, off, on) in enumerate(PAIRS):
-            cases = [Measured(make(Path(folder)/f"{i}{name}"))
-                     for name, make in (("off", off), ("on", on))]
+        for i, (group, what, make, off, on) in enumerate(PAIRS):
+            cases = [Measured(make(Path(folder)/f"{i}{name}", **arguments))
+                     for name, arguments in (("off", off), ("on", on))]
             for _ in range(7):
                 for case in cases:
                     case.run()

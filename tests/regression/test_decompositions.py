@@ -11,6 +11,7 @@ from fieldReferences import FILE, NAMES, SCENES, norms
 from smallCases import largest
 
 DECOMPOSITIONS = ((2, "metis"), (3, "random"), (4, "metis"))
+AMPLIFIED = "nearlyIncompressibleBars", "nonMatchingBars", "taylorBar"
 
 
 @pytest.mark.scenes(*SCENES)
@@ -53,7 +54,9 @@ def test_decompositions(run, tmp_path, figures, scene):
 @pytest.mark.parametrize("scene, name", list(zip(SCENES, NAMES)),
                          ids=NAMES)
 def test_references(run, figures, scene, name):
-    """Contact, and another compiler, make some 1e-12 of round-off more."""
+    """In scenes of AMPLIFIED a change of the initial velocity by round-off
+    grows to more than the limit of the others: they part as far when they
+    are run on one rank and on three."""
     reference = json.loads(FILE.read_text())[name]
     ours = norms(run(scene))
     assert sorted(ours) == sorted(reference)
@@ -63,4 +66,5 @@ def test_references(run, figures, scene, name):
              / max(scale[key], 1e-12) for key in reference}
     worst = max(error, key=error.get)
     with figures(f"{name} against its reference") as f:
-        f.atMost(f"largest difference / norm, {worst}", error[worst], 1e-9)
+        f.atMost(f"largest difference / norm, {worst}", error[worst],
+                 1e-10 if scene.path in AMPLIFIED else 1e-12)

@@ -744,9 +744,6 @@ void Foam::solidBody::restoreOld()
         data_.state.Cpi = keptCpi_;
         data_.state.epsilonPEq = keptStrain_;
     }
-
-    // Velocities, and a cofactor that is not solved, are those of the state
-    kernel_->velocities(data_);
 }
 
 

@@ -581,7 +581,10 @@ label vertexKernelTemplate<D, nSJ, R, finite>::advanceNodes
 
         // A state that cannot be continued
         bool good = true;
-        for (int i = 0; i < D; ++i) good = good && std::isfinite(next.lm[a*D + i]);
+        for (int i = 0; i < D; ++i)
+        {
+            good = good && std::isfinite(next.lm[a*D + i]);
+        }
         if constexpr (finite)
         {
             const scalar detF = determinant(loadF<D>(next.F.cdata(), a));

@@ -726,7 +726,12 @@ void Foam::solidSystem::startStep()
     // A fixed step needs it only where the Courant number is printed
     const dictionary& control = runTime_.controlDict();
     const bool adjusts = control.getOrDefault("adjustTimeStep", true);
-    if (adjusts || timeStepLimit_ == 0 || logs(steps_ + 1))
+    if
+    (
+        adjusts
+     || timeStepLimit_ == 0
+     || logs(steps_ + 1, startOfStep_ + runTime_.deltaTValue())
+    )
     {
         scalar shortest = GREAT;
         for (solidBody& body : bodies_)

@@ -138,20 +138,19 @@ void Foam::solidSystem::readAccounts(const dictionary& dict)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-bool Foam::solidSystem::logs(const label steps) const
+bool Foam::solidSystem::logs(const label steps, const scalar time) const
 {
     const label interval =
         runTime_.controlDict().getOrDefault<label>("logInterval", 100);
-    return steps % max(label(1), interval) == 0;
+    const bool last =
+        time > runTime_.endTime().value() - 0.5*runTime_.deltaTValue();
+    return last || steps % max(label(1), interval) == 0;
 }
 
 
 void Foam::solidSystem::log()
 {
-    const bool last =
-        runTime_.value()
-      > runTime_.endTime().value() - 0.5*runTime_.deltaTValue();
-    if (!logs(steps_) && !last)
+    if (!logs(steps_, runTime_.value()))
     {
         return;
     }

@@ -135,6 +135,42 @@ TEST_CASE("principal values of random and degenerate tensors", "[materials][seri
 }
 
 
+TEST_CASE("principal values of several tensors are those of each", "[materials][serial]")
+{
+    // In lanes some are done before others
+    Random random(11);
+    for (label sample = 0; sample < 50; ++sample)
+    {
+        SolidTensor<3> A[nLanes];
+        for (int l = 0; l < nLanes; ++l)
+        {
+            A[l] = diagonal(l + 1, 2, 2);
+            for (int i = 0; i < 3 && l % 3; ++i)
+            {
+                for (int j = 0; j <= i; ++j)
+                {
+                    A[l](i, j) = A[l](j, i) = randomScalar(random);
+                }
+            }
+        }
+        principalValues<3> together[nLanes];
+        principalValues<3>::ofLanes(A, together);
+        for (int l = 0; l < nLanes; ++l)
+        {
+            const principalValues<3> one(A[l]);
+            for (int i = 0; i < 3; ++i)
+            {
+                CHECK(mag(together[l].value[i] - one.value[i]) <= 1e-13);
+                for (int j = 0; j < 3; ++j)
+                {
+                    CHECK(mag(together[l].n[i][j] - one.n[i][j]) <= 1e-12);
+                }
+            }
+        }
+    }
+}
+
+
 TEST_CASE("uniaxial path against its closed form", "[materials][serial]")
 {
     const auto model(materialFrom(linear));
