@@ -213,6 +213,18 @@ CASES = {
     "missing material": (remove(material), ("mechanicalProperties",)),
     "missing contactProperties": (remove(contact), ("contactProperties",)),
     "inverted cell": (invertCell, ("bar2",)),
+    "unknown preset": (
+        edit("system/controlDict", {"preset": "quick"}),
+        ("controlDict", "preset", "quick", "fast", "accurate")),
+    "unknown time integrator": (
+        edit("system/controlDict", {"timeIntegrator": "TVDRK4"}),
+        ("controlDict", "timeIntegrator", "TVDRK4", "TVDRK3")),
+    "one stage with full reconstruction": (
+        edit("system/controlDict", {"timeIntegrator": "symplecticEuler"}),
+        ("controlDict", "timeIntegrator", "symplecticEuler", "full")),
+    "unknown wave speed": (
+        edit(schemes, {"vertexCentred/waveSpeed": "nonlinear"}),
+        ("fvSchemes", "waveSpeed", "nonlinear", "stretched")),
     "maxCo of zero": (
         edit("system/controlDict", {"maxCo": 0}), ("controlDict", "maxCo")),
 }

@@ -137,7 +137,7 @@ int main(int argc, char *argv[])
         {
             for (const contactSide& side : contact.sides())
             {
-                side.body->prepare(runTime.value());
+                side.body->prepare(runTime.value(), true);
             }
         }
 

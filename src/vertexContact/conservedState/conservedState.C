@@ -84,9 +84,14 @@ void Foam::conservedState::assignSolved(const conservedState& other)
 }
 
 
-void Foam::conservedState::exchangeSolved(conservedState& other)
+void Foam::conservedState::exchangeMomentum(conservedState& other)
 {
     lm.swap(other.lm);
+}
+
+
+void Foam::conservedState::exchangeKinematics(conservedState& other)
+{
     disp.swap(other.disp);
     F.swap(other.F);
     if (solvesH) H.swap(other.H);

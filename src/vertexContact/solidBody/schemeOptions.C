@@ -29,7 +29,13 @@ Foam::schemeOptions::limiterNames
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::schemeOptions::schemeOptions(const dictionary& fvSchemes)
+Foam::schemeOptions::schemeOptions
+(
+    const dictionary& fvSchemes,
+    const schemeOptions& defaults
+)
+:
+    schemeOptions(defaults)
 {
     if (!fvSchemes.found("vertexCentred"))
     {
@@ -45,7 +51,7 @@ Foam::schemeOptions::schemeOptions(const dictionary& fvSchemes)
         wordList
         ({
             "cells", "reconstruction", "limiter", "kinematics", "jacobian",
-            "preserveAngularMomentum"
+            "preserveAngularMomentum", "waveSpeed"
         })
     );
 
@@ -66,6 +72,19 @@ Foam::schemeOptions::schemeOptions(const dictionary& fvSchemes)
     (
         "preserveAngularMomentum", preserveAngularMomentum
     );
+
+    if (dict.found("waveSpeed"))
+    {
+        const word speed(dict.get<word>("waveSpeed"));
+        if (speed != "linear" && speed != "stretched")
+        {
+            unknownModel
+            (
+                dict, "waveSpeed", speed, wordList({"linear", "stretched"})
+            );
+        }
+        stretchedWaves = (speed == "stretched");
+    }
 
     if (reconstruction == reconstructionType::none)
     {

@@ -35,7 +35,11 @@ IOobject solidIO
     return IOobject(name, instance, db, r, IOobject::NO_WRITE, false);
 }
 
-schemeOptions readOptions(const polyMesh& mesh)
+schemeOptions readOptions
+(
+    const polyMesh& mesh,
+    const schemeOptions& defaults
+)
 {
     return schemeOptions
     (
@@ -46,7 +50,8 @@ schemeOptions readOptions(const polyMesh& mesh)
                 "fvSchemes", mesh.time().system(), mesh,
                 IOobject::READ_IF_PRESENT
             )
-        )
+        ),
+        defaults
     );
 }
 
@@ -307,7 +312,12 @@ void Foam::solidBody::addBodyForces(const scalar time, const bool energy)
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::solidBody::solidBody(const Time& runTime, const word& region)
+Foam::solidBody::solidBody
+(
+    const Time& runTime,
+    const word& region,
+    const schemeOptions& defaults
+)
 :
     time_(runTime),
     name_(region),
@@ -315,7 +325,7 @@ Foam::solidBody::solidBody(const Time& runTime, const word& region)
     (
         IOobject(region, runTime.timeName(), runTime, IOobject::MUST_READ)
     ),
-    options_(readOptions(mesh_)),
+    options_(readOptions(mesh_, defaults)),
     dual_(mesh_, options_.cells),
     material_(readMaterial(mesh_, options_)),
     pointU_
@@ -337,6 +347,7 @@ Foam::solidBody::solidBody(const Time& runTime, const word& region)
     mirrorPatches_(findMirrors(mesh_, pointU_)),
     symmetry_(dual_, mirrorPatches_),
     angularMomentum_(data_, symmetry_, options_.preserveAngularMomentum),
+    stretchedWaves_(options_.stretchedWaves && material_->stretchesWaves()),
     corners_(mesh_.boundaryMesh().size()),
     depth_(mesh_.boundaryMesh().size()),
     boundaryArea_(dual_.nNodes(), Zero),
@@ -376,6 +387,11 @@ Foam::solidBody::solidBody(const Time& runTime, const word& region)
         {
             if (!dual_.sharing().owned()[a]) ownedVolume_[a] = 0;
         }
+    }
+
+    if (stretchedWaves_)
+    {
+        data_.waveFactor.setSize(dual_.nNodes(), scalar(1));
     }
 
     makeCorners();
@@ -526,16 +542,23 @@ void Foam::solidBody::releaseMeshTables()
 }
 
 
-void Foam::solidBody::prepare(const scalar time)
+void Foam::solidBody::prepare(const scalar time, const bool moved)
 {
     kernel_->velocities(data_);
-    material_->stress
-    (
-        data_.state,
-        data_.W.data() + data_.offsetP(),
-        data_.nSJ ? data_.W.data() + data_.nDim() : nullptr,
-        data_.strideW
-    );
+    if (moved)
+    {
+        material_->stress
+        (
+            data_.state,
+            data_.W.data() + data_.offsetP(),
+            data_.nSJ ? data_.W.data() + data_.nDim() : nullptr,
+            data_.strideW
+        );
+        if (stretchedWaves_)
+        {
+            material_->waveFactors(data_.state, data_.waveFactor);
+        }
+    }
 
     forAll(corners_, patchi)
     {
@@ -556,23 +579,8 @@ void Foam::solidBody::prepare(const scalar time)
 }
 
 
-void Foam::solidBody::computeFluxes
-(
-    const bool energy,
-    const scalar dt,
-    scalar* angularSums
-)
+void Foam::solidBody::computeGradients()
 {
-    const label d = dual_.nDim();
-    const nodeSharing& sharing = dual_.sharing();
-    const bool full = options_.reconstruction == reconstructionType::full;
-
-    const auto states = [&](const label patchi)
-    {
-        return corners_.set(patchi) ? &corners_[patchi] : nullptr;
-    };
-
-    // Pass A: gradients, and nodes
     kernel_->gradients(data_);
     for (const dualPatch& patch : dual_.patches())
     {
@@ -580,16 +588,28 @@ void Foam::solidBody::computeFluxes
         {
             kernel_->addBoundaryGradients
             (
-                data_, patch, states(patch.patchIndex)
+                data_, patch, statesOf(patch.patchIndex)
             );
         }
     }
-    sharing.sum(data_.grad.data(), d*data_.strideG);
+    dual_.sharing().sum(data_.grad.data(), dual_.nDim()*data_.strideG);
     if (symmetry_.active())
     {
         symmetriseGradients();
     }
-    if (full)
+}
+
+
+void Foam::solidBody::computeFluxes
+(
+    const bool energy,
+    const scalar dt,
+    scalar* angularSums
+)
+{
+    // Pass A: gradients, and nodes
+    computeGradients();
+    if (options_.reconstruction == reconstructionType::full)
     {
         forAll(corners_, patchi)
         {
@@ -615,14 +635,14 @@ void Foam::solidBody::computeFluxes
         {
             const scalar power = kernel_->addBoundaryFluxes
             (
-                data_, patch, states(patchi), energy
+                data_, patch, statesOf(patchi), energy
             );
             (condition(patchi).contact() ? powers_.contact : powers_.external)
                 += power;
         }
     }
     powers_.numericalDissipation = data_.numericalDissipation;
-    sharing.sum(data_.rates.data(), data_.strideRates);
+    dual_.sharing().sum(data_.rates.data(), data_.strideRates);
 }
 
 
@@ -686,6 +706,17 @@ Foam::label Foam::solidBody::findNodeWithin(const scalar timeScale) const
 }
 
 
+Foam::scalar Foam::solidBody::largestGradient() const
+{
+    scalar largest = 0;
+    for (label a = 0; a < dual_.nNodes(); ++a)
+    {
+        largest = max(largest, magSqr(deformationGradient(a) - tensor::I));
+    }
+    return std::sqrt(largest);
+}
+
+
 Foam::scalar Foam::solidBody::largestSpeed() const
 {
     const label d = dual_.nDim();
@@ -712,10 +743,16 @@ Foam::label Foam::solidBody::findNodeFasterThan(const scalar speed) const
 }
 
 
-Foam::label Foam::solidBody::advance(const scalar deltaT, const int stage)
+Foam::label Foam::solidBody::advance
+(
+    const scalar deltaT,
+    const scalar oldWeight,
+    const scalar sinceCommit,
+    const updatedPart part
+)
 {
-    data_.state.sinceCommit = deltaT;
-    return kernel_->advance(data_, deltaT, stage);
+    data_.state.sinceCommit = sinceCommit;
+    return kernel_->advance(data_, deltaT, oldWeight, part);
 }
 
 
@@ -732,6 +769,12 @@ void Foam::solidBody::keepPlasticity()
 {
     keptCpi_ = data_.state.Cpi;
     keptStrain_ = data_.state.epsilonPEq;
+}
+
+
+void Foam::solidBody::restoreMomentum()
+{
+    data_.state.lm = data_.old.lm;
 }
 
 

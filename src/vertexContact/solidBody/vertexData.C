@@ -70,7 +70,8 @@ std::size_t Foam::vertexData::bytes() const
       + sizeof(scalar)
        *std::size_t
         (
-            mirrorArea.size() + W.size() + grad.size() + rates.size()
+            mirrorArea.size() + waveFactor.size() + W.size() + grad.size()
+          + rates.size()
         );
 }
 

@@ -127,6 +127,8 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
     const scalar* grad = d.grad.cdata();
     const scalar* F = d.state.F.cdata();
     const scalar* H = d.state.H.cdata();
+    const scalar* factor =
+        d.waveFactor.size() ? d.waveFactor.cdata() : nullptr;
     scalar* rates = d.rates.data();
 
     const label nEdges = d.dual.nEdges();
@@ -348,8 +350,18 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
         // dissipation, which else lags behind the central fluxes (momentum)
         // or outruns the time step (J), and the step
         const lanes larger = moves ? max(cc, dot(area, area)) : cc;
-        const lanes perWave = inverseSquareRoot(larger + VSMALL);
-        const lanes waveC = larger*perWave;
+        lanes perWave = inverseSquareRoot(larger + VSMALL);
+        lanes waveC = larger*perWave;
+        if (factor)
+        {
+            lanes faster{};
+            for (int l = 0; l < nLanes; ++l)
+            {
+                faster[l] = max(factor[ends[2*l]], factor[ends[2*l + 1]]);
+            }
+            waveC *= faster;
+            perWave *= reciprocal(faster);
+        }
 
         // States at both sides of mid-edge: jump and average of the velocity,
         // average of the traction; with the differences of the nodes, first

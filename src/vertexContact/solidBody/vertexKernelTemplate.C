@@ -141,6 +141,7 @@ void vertexKernelTemplate<D, nSJ, R, finite>::corners
             n[dir[i]] = h[i]/magH;
         }
         c.stretch[k] = magH;
+        if (d.waveFactor.size()) c.waveFactor[k] = d.waveFactor[a];
     }
 }
 
@@ -312,7 +313,7 @@ void vertexKernelTemplate<D, nSJ, R, finite>::relaxFree
             {
                 const scalar residual =
                     mag(here) < mag(inside) ? here : -inside;
-                c.vB[k] -= (releasedShare*residual/c.zp)*c.n[k];
+                c.vB[k] -= (releasedShare*residual/(c.waveFactor[k]*c.zp))*c.n[k];
             }
         }
     }
@@ -479,43 +480,53 @@ label vertexKernelTemplate<D, nSJ, R, finite>::advance
 (
     vertexData& d,
     const scalar deltaT,
-    const int stage
+    const scalar oldWeight,
+    const updatedPart part
 ) const
 {
     // H is kept where it is solved (2D: its part out of the plane)
+    constexpr bool mayH = finite && D > 1;
+    const auto go = [&](auto solvesH)
+    {
+        constexpr bool H = decltype(solvesH)::value;
+        return
+            part == updatedPart::kinematics
+          ? advanceNodes<true, updatedPart::kinematics, H>(d, deltaT, 0)
+          : oldWeight == 0
+          ? advanceNodes<true, updatedPart::all, H>(d, deltaT, 0)
+          : advanceNodes<false, updatedPart::all, H>(d, deltaT, oldWeight);
+    };
     return
-        finite && D > 1 && d.state.solvesH
-      ? (
-            stage == 0
-          ? advanceNodes<0, finite && (D > 1)>(d, deltaT)
-          : advanceNodes<1, finite && (D > 1)>(d, deltaT)
-        )
-      : (
-            stage == 0
-          ? advanceNodes<0, false>(d, deltaT)
-          : advanceNodes<1, false>(d, deltaT)
-        );
+        part == updatedPart::momentum
+      ? advanceNodes<true, updatedPart::momentum, false>(d, deltaT, 0)
+      : mayH && d.state.solvesH
+      ? go(std::integral_constant<bool, mayH>())
+      : go(std::false_type());
 }
 
 
 template<int D, int nSJ, reconstructionType R, bool finite>
-template<int stage, bool solvesH>
+template<bool first, updatedPart part, bool solvesH>
 label vertexKernelTemplate<D, nSJ, R, finite>::advanceNodes
 (
     vertexData& d,
-    const scalar deltaT
+    const scalar deltaT,
+    const scalar oldWeight
 )
 {
+    constexpr bool momentum = (part != updatedPart::kinematics);
+    constexpr bool kinematics = (part != updatedPart::momentum);
     const label n = d.nNodes();
     const scalar* W = d.W.cdata();
     conservedState& s = d.state;
     conservedState& o = d.old;
-    const conservedState& next = stage == 0 ? o : s;
+    const conservedState& next = first ? o : s;
+    const scalar weight = 1 - oldWeight;
     label nBad = 0;
 
     // u + dt r, in the first stage instead of the old u, with which u changes
-    // places afterwards; in the second one averaged with it
-    const auto update = [deltaT]
+    // places afterwards; in later ones averaged with it
+    const auto update = [deltaT, weight, oldWeight]
     (
         auto count,
         scalar* __restrict u,
@@ -526,13 +537,16 @@ label vertexKernelTemplate<D, nSJ, R, finite>::advanceNodes
         constexpr int m = decltype(count)::value;
         scalar now[m];
         for (int k = 0; k < m; ++k) now[k] = u[k] + deltaT*rate[k];
-        if constexpr (stage == 0)
+        if constexpr (first)
         {
             for (int k = 0; k < m; ++k) uOther[k] = now[k];
         }
         else
         {
-            for (int k = 0; k < m; ++k) u[k] = 0.5*(uOther[k] + now[k]);
+            for (int k = 0; k < m; ++k)
+            {
+                u[k] = oldWeight*uOther[k] + weight*now[k];
+            }
         }
     };
     using one = std::integral_constant<int, 1>;
@@ -541,51 +555,63 @@ label vertexKernelTemplate<D, nSJ, R, finite>::advanceNodes
 
     for (label a = 0; a < n; ++a)
     {
-        const SolidTensor<D> G = rateF(d, a);
         const scalar* rates = d.rates.cdata() + a*sRates;
 
-        if constexpr (finite)
+        if constexpr (kinematics)
         {
-            const SolidTensor<D> F = loadF<D>(s.F.cdata(), a);
-            if constexpr (nSJ == 1)
+            const SolidTensor<D> G = rateF(d, a);
+            if constexpr (finite)
             {
-                const SolidTensor<D> H = loadH<D>
-                (
-                    F, s.strideH ? s.H.cdata() : nullptr, a
-                );
-                const scalar rateJ = ddot(H, G) + rates[D];        // (63c)
-                update(one(), &s.J[a], &o.J[a], &rateJ);
-            }
-            if constexpr (solvesH)
-            {
-                const SolidTensor<D> rateH = cross(F, G);         // (63b)
-                if constexpr (D == 2)
+                const SolidTensor<D> F = loadF<D>(s.F.cdata(), a);
+                if constexpr (nSJ == 1)
                 {
-                    update(one(), &s.H[a], &o.H[a], &rateH.out);
+                    const SolidTensor<D> H = loadH<D>
+                    (
+                        F, s.strideH ? s.H.cdata() : nullptr, a
+                    );
+                    const scalar rateJ = ddot(H, G) + rates[D];    // (63c)
+                    update(one(), &s.J[a], &o.J[a], &rateJ);
                 }
-                else
+                if constexpr (solvesH)
                 {
-                    scalar columns[9];
-                    for (int k = 0; k < 9; ++k)
+                    const SolidTensor<D> rateH = cross(F, G);     // (63b)
+                    if constexpr (D == 2)
                     {
-                        columns[placeH(k)] = rateH.in[k];
+                        update(one(), &s.H[a], &o.H[a], &rateH.out);
                     }
-                    update(tensorSize(), &s.H[9*a], &o.H[9*a], columns);
+                    else
+                    {
+                        scalar columns[9];
+                        for (int k = 0; k < 9; ++k)
+                        {
+                            columns[placeH(k)] = rateH.in[k];
+                        }
+                        update(tensorSize(), &s.H[9*a], &o.H[9*a], columns);
+                    }
                 }
             }
-        }
 
-        update(tensorSize(), &s.F[a*nP], &o.F[a*nP], G.in);       // (63a)
-        update(vectorSize(), &s.disp[a*D], &o.disp[a*D], W + a*sW); // (66)
-        update(vectorSize(), &s.lm[a*D], &o.lm[a*D], rates);      // (62a)
+            update(tensorSize(), &s.F[a*nP], &o.F[a*nP], G.in);   // (63a)
+            update
+            (
+                vectorSize(), &s.disp[a*D], &o.disp[a*D], W + a*sW // (66)
+            );
+        }
+        if constexpr (momentum)
+        {
+            update(vectorSize(), &s.lm[a*D], &o.lm[a*D], rates);  // (62a)
+        }
 
         // A state that cannot be continued
         bool good = true;
-        for (int i = 0; i < D; ++i)
+        if constexpr (momentum)
         {
-            good = good && std::isfinite(next.lm[a*D + i]);
+            for (int i = 0; i < D; ++i)
+            {
+                good = good && std::isfinite(next.lm[a*D + i]);
+            }
         }
-        if constexpr (finite)
+        if constexpr (kinematics && finite)
         {
             const scalar detF = determinant(loadF<D>(next.F.cdata(), a));
             good = good && detF > 0;
@@ -594,9 +620,10 @@ label vertexKernelTemplate<D, nSJ, R, finite>::advanceNodes
         if (!good) ++nBad;
     }
 
-    if (stage == 0)
+    if constexpr (first)
     {
-        s.exchangeSolved(o);
+        if (momentum) s.exchangeMomentum(o);
+        if (kinematics) s.exchangeKinematics(o);
     }
     return nBad;
 }

@@ -117,11 +117,16 @@ void Foam::solidSystem::energies::operator+=(const energies& e)
 }
 
 
-void Foam::solidSystem::evaluate(const scalar time, const int stage)
+void Foam::solidSystem::solveBoundaries
+(
+    const scalar time,
+    const bool moved,
+    const bool firstStage
+)
 {
     for (solidBody& body : bodies_)
     {
-        body.prepare(time);
+        body.prepare(time, moved);
     }
 
     // Contact: gaps close and open by the status of the latest first stage
@@ -130,7 +135,7 @@ void Foam::solidSystem::evaluate(const scalar time, const int stage)
     {
         contact.remember();
     }
-    if (stage == 0)
+    if (firstStage)
     {
         for (solidBody& body : bodies_)
         {
@@ -139,9 +144,9 @@ void Foam::solidSystem::evaluate(const scalar time, const int stage)
     }
     for (contactInterface& contact : interfaces_)
     {
-        contact.solve(time, stage == 0);
+        contact.solve(time, firstStage);
     }
-    if (stage == 0)
+    if (firstStage)
     {
         for (solidBody& body : bodies_)
         {
@@ -152,9 +157,16 @@ void Foam::solidSystem::evaluate(const scalar time, const int stage)
         }
     }
     contactSeconds_ += secondsSince(start);
+}
+
+
+void Foam::solidSystem::evaluate(const scalar time, const int stage)
+{
+    solveBoundaries(time, true, stage == 0);
 
     // One message for all bodies
-    const scalar dt = stage == 0 ? 0 : runTime_.deltaTValue();
+    const scalar dt =
+        integrator_.shiftsArms(stage) ? runTime_.deltaTValue() : 0;
     constexpr label n = angularMomentumProjection::nSums;
     bool sums = false;
     forAll(bodies_, i)
@@ -177,41 +189,64 @@ void Foam::solidSystem::evaluate(const scalar time, const int stage)
 }
 
 
-void Foam::solidSystem::advance(const scalar deltaT, const int stage)
+void Foam::solidSystem::account(const int stage)
 {
-    label nBad = 0;
+    const scalar dt = integrator_.weight(stage)*runTime_.deltaTValue();
     forAll(bodies_, i)
     {
-        nBad += bodies_[i].advance(deltaT, stage);
-
-        // Both stages have the weight of one half
         const solidBody::powers& p = bodies_[i].stagePowers();
-        accounts_[i].numericalDissipation +=
-            0.5*deltaT*p.numericalDissipation;
-        accounts_[i].external += 0.5*deltaT*p.external;
-        accounts_[i].contact += 0.5*deltaT*p.contact;
+        accounts_[i].numericalDissipation += dt*p.numericalDissipation;
+        accounts_[i].external += dt*p.external;
+        accounts_[i].contact += dt*p.contact;
     }
     for (contactInterface& contact : interfaces_)
     {
-        contact.accumulate(0.5*deltaT);
+        contact.accumulate(dt);
+    }
+}
+
+
+void Foam::solidSystem::advance(const int stage, const updatedPart part)
+{
+    const scalar deltaT = runTime_.deltaTValue();
+    label nBad = 0;
+    for (solidBody& body : bodies_)
+    {
+        nBad += body.advance
+        (
+            deltaT, integrator_.oldWeight(stage),
+            integrator_.instant(stage + 1)*deltaT, part
+        );
     }
 
     // Others hear of it at the end of the step: until then, a state that can
     // be evaluated
-    if (stage == 0)
+    if (nBad)
     {
-        if (nBad)
+        wrongNode_ = describeHere
+        (
+            [](const solidBody& body) { return body.findBadNode(); }
+        );
+        for (solidBody& body : bodies_)
         {
-            wrongNode_ = describeHere
-            (
-                [](const solidBody& body) { return body.findBadNode(); }
-            );
-            for (solidBody& body : bodies_)
-            {
-                body.restoreOld();
-            }
+            part == updatedPart::all
+          ? body.restoreOld()
+          : body.restoreMomentum();
         }
-        return;
+    }
+}
+
+
+void Foam::solidSystem::complete(const int stage, const updatedPart part)
+{
+    const scalar deltaT = runTime_.deltaTValue();
+    label nBad = 0;
+    for (solidBody& body : bodies_)
+    {
+        nBad += body.advance
+        (
+            deltaT, integrator_.oldWeight(stage), deltaT, part
+        );
     }
 
     // Outdated pairings and signals share the reduction
@@ -513,7 +548,9 @@ Foam::solidSystem::solidSystem(Time& runTime)
             IOobject::NO_READ, IOobject::AUTO_WRITE
         )
     ),
-    runTime_(runTime)
+    runTime_(runTime),
+    preset_(runTime.controlDict()),
+    integrator_(readIntegrator(runTime.controlDict(), preset_))
 {
     checkControls();
     checkProcessors();
@@ -523,8 +560,10 @@ Foam::solidSystem::solidSystem(Time& runTime)
     bodies_.setSize(regions.size());
     forAll(regions, i)
     {
-        bodies_.set(i, new solidBody(runTime, regions[i]));
+        bodies_.set(i, new solidBody(runTime, regions[i], preset_.scheme));
     }
+
+    checkIntegrator();
 
     IOobject contactIO
     (
@@ -592,6 +631,8 @@ Foam::solidSystem::solidSystem(Time& runTime)
     }
 
     accounts_.setSize(bodies_.size());
+    largestGradient_.setSize(bodies_.size(), scalar(0));
+    bodyStep_.setSize(bodies_.size(), scalar(0));
     oldStatus_.setSize(bodies_.size());
     oldImpulses_.setSize(interfaces_.size());
     initialEnergy_.setSize(bodies_.size(), scalar(0));
@@ -734,21 +775,17 @@ void Foam::solidSystem::startStep()
     )
     {
         scalar shortest = GREAT;
-        for (solidBody& body : bodies_)
+        forAll(bodies_, i)
         {
-            shortest = min(shortest, body.timeScale());
+            bodyStep_[i] = bodies_[i].timeScale();
+            shortest = min(shortest, bodyStep_[i]);
         }
         timeStepLimit_ = returnReduce(shortest, minOp<scalar>());
         checkTimeStep();
     }
     if (adjusts)
     {
-        const scalar maxCo = control.getOrDefault<scalar>("maxCo", 0.3);
-        dictionaryCheck::require
-        (
-            maxCo > 0, control, "maxCo", maxCo, "positive"
-        );
-        runTime_.setDeltaT(fitToWriteTimes(maxCo*timeStepLimit_), false);
+        runTime_.setDeltaT(fitToWriteTimes(maxCo()*timeStepLimit_), false);
     }
     stepSeconds_ += secondsSince(start);
 }
@@ -757,11 +794,37 @@ void Foam::solidSystem::startStep()
 void Foam::solidSystem::finishStep()
 {
     const auto start = std::chrono::steady_clock::now();
-    const scalar deltaT = runTime_.deltaTValue();
+    const scalar time = runTime_.value();
+    const int last = integrator_.nStages() - 1;
 
-    advance(deltaT, 0);
-    evaluate(runTime_.value(), 1);
-    advance(deltaT, 1);
+    for (int stage = 0; stage < last; ++stage)
+    {
+        account(stage);
+        advance(stage, updatedPart::all);
+        const scalar instant = integrator_.instant(stage + 1);
+        evaluate
+        (
+            instant == 1
+          ? time
+          : startOfStep_ + instant*runTime_.deltaTValue(),
+            stage + 1
+        );
+    }
+    account(last);
+    if (integrator_.split())
+    {
+        advance(last, updatedPart::momentum);
+        solveBoundaries(time, false, false);
+        for (solidBody& body : bodies_)
+        {
+            body.computeGradients();
+        }
+        complete(last, updatedPart::kinematics);
+    }
+    else
+    {
+        complete(last, updatedPart::all);
+    }
     if (maxEnergyRise_ > 0)
     {
         checkEnergy();

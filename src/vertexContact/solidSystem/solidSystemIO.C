@@ -11,13 +11,69 @@
 #include "IStringStream.H"
 #include "OStringStream.H"
 
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Largest |F - I| at which a law of small strains is a choice, and the one
+//  below which it is as good as others
+constexpr Foam::scalar leavesSmall = 0.05;
+constexpr Foam::scalar staysSmall = 0.005;
+
+} // End anonymous namespace
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::solidSystem::maxCo() const
+{
+    const dictionary& control = runTime_.controlDict();
+    const scalar maxCo = control.getOrDefault("maxCo", preset_.maxCo);
+    dictionaryCheck::require(maxCo > 0, control, "maxCo", maxCo, "positive");
+    return maxCo;
+}
+
+
+Foam::timeIntegrator Foam::solidSystem::readIntegrator
+(
+    const dictionary& controlDict,
+    const preset& defaults
+)
+{
+    return timeIntegrator
+    (
+        dictionaryCheck::readEnum
+        (
+            timeIntegrator::names, controlDict, "timeIntegrator",
+            defaults.integrator
+        )
+    );
+}
+
+
+void Foam::solidSystem::checkIntegrator() const
+{
+    if (!integrator_.split()) return;
+
+    for (const solidBody& body : bodies_)
+    {
+        if (body.options().reconstruction == reconstructionType::full)
+        {
+            FatalIOErrorInFunction(runTime_.controlDict())
+                << "Keyword 'timeIntegrator': symplecticEuler goes with "
+                << "'reconstruction' linear or none, but region '"
+                << body.name() << "' has full (fvSchemes). Valid integrators "
+                << "for full: (TVDRK2 TVDRK3)" << exit(FatalIOError);
+        }
+    }
+}
+
 
 void Foam::solidSystem::checkControls() const
 {
+    maxCo();
     const dictionary& control = runTime_.controlDict();
-    const scalar maxCo = control.getOrDefault<scalar>("maxCo", 0.3);
-    dictionaryCheck::require(maxCo > 0, control, "maxCo", maxCo, "positive");
     const scalar rise = control.getOrDefault<scalar>("maxEnergyRise", 1);
     dictionaryCheck::require
     (
@@ -136,6 +192,68 @@ void Foam::solidSystem::readAccounts(const dictionary& dict)
 }
 
 
+void Foam::solidSystem::checkRange()
+{
+    forAll(bodies_, i)
+    {
+        scalar& largest = largestGradient_[i];
+        const bool warned = largest > leavesSmall;
+        largest = max(largest, bodies_[i].largestGradient());
+        if (bodies_[i].data().finiteStrain || warned)
+        {
+            continue;
+        }
+        reduce(largest, maxOp<scalar>());
+        if (largest > leavesSmall)
+        {
+            WarningInFunction
+                << "Region " << bodies_[i].name() << ": |F - I| has reached "
+                << largest << ", but " << bodies_[i].material().type()
+                << " is a law of small strains and rotations, whose stress is "
+                << "then wrong by about as much." << nl
+                << "    A step with neoHookean takes about 1.25 times as long "
+                << "(tests/benchmark/features.md)." << endl;
+        }
+    }
+}
+
+
+void Foam::solidSystem::reportRange(Ostream& os) const
+{
+    forAll(bodies_, i)
+    {
+        const solidBody& body = bodies_[i];
+        if (!body.data().finiteStrain || !steps_)
+        {
+            continue;
+        }
+        if (body.material().plastic())
+        {
+            const scalar flow = returnReduce
+            (
+                max(body.state().epsilonPEq), maxOp<scalar>()
+            );
+            if (flow == 0)
+            {
+                os  << "Region " << body.name() << " has not yielded: a step "
+                    << "with neoHookean takes about 0.85 of the time of one "
+                    << "with " << body.material().type() << nl << nl;
+            }
+            continue;
+        }
+        const scalar largest =
+            returnReduce(largestGradient_[i], maxOp<scalar>());
+        if (largest < staysSmall)
+        {
+            os  << "Region " << body.name() << ": |F - I| stayed below "
+                << largest << " where it was logged. linearElastic, whose "
+                << "stress differs by about as much, takes about 0.8 of the "
+                << "time of " << body.material().type() << nl << nl;
+        }
+    }
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 bool Foam::solidSystem::logs(const label steps, const scalar time) const
@@ -154,6 +272,8 @@ void Foam::solidSystem::log()
     {
         return;
     }
+
+    checkRange();
 
     label nClosed = 0;
     for (const contactInterface& contact : interfaces_)
@@ -290,6 +410,16 @@ bool Foam::solidSystem::writeData(Ostream& os) const
 
 void Foam::solidSystem::report(Ostream& os) const
 {
+    os  << "Preset " << preset::names[preset_.name] << ": timeIntegrator "
+        << timeIntegrator::names[integrator_.type()];
+    if (runTime_.controlDict().getOrDefault("adjustTimeStep", true))
+    {
+        os  << ", maxCo " << maxCo() << nl;
+    }
+    else
+    {
+        os  << ", fixed step" << nl;
+    }
     for (const solidBody& body : bodies_)
     {
         os  << "Region " << body.name() << nl;
@@ -310,21 +440,38 @@ void Foam::solidSystem::report(Ostream& os) const
 
 void Foam::solidSystem::reportCost(Ostream& os) const
 {
-    label nodes = 0;
-    for (const solidBody& body : bodies_)
+    labelList bodyNodes(bodies_.size(), label(0));
+    forAll(bodies_, i)
     {
-        for (const bool mine : body.dual().sharing().owned())
+        for (const bool mine : bodies_[i].dual().sharing().owned())
         {
-            if (mine) ++nodes;
+            if (mine) ++bodyNodes[i];
         }
+        reduce(bodyNodes[i], sumOp<label>());
     }
-    reduce(nodes, sumOp<label>());
+    const label nodes = sum(bodyNodes);
     if (steps_)
     {
         os  << "Steps: " << steps_ << " in " << stepSeconds_ << " s, "
             << 1e6*stepSeconds_/(scalar(steps_)*nodes)
             << " us per node and step" << nl << nl;
     }
+
+    if (steps_ && bodies_.size() > 1)
+    {
+        scalar ownSteps = 0;
+        os  << "Stable steps at Co 1, at the end:";
+        forAll(bodies_, i)
+        {
+            const scalar step = returnReduce(bodyStep_[i], minOp<scalar>());
+            ownSteps += bodyNodes[i]/step;
+            os  << ' ' << bodies_[i].name() << ' ' << step << " s";
+        }
+        os  << ". With steps of its own for each region, the steps would take "
+            << ownSteps*timeStepLimit_/nodes << " of the time" << nl << nl;
+    }
+
+    reportRange(os);
 
     if (interfaces_.size() && steps_)
     {

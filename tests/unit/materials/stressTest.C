@@ -512,4 +512,57 @@ TEST_CASE("many nodes with a stride", "[materials][serial]")
 }
 
 
+TEST_CASE("wave factors against the stress", "[materials][serial]")
+{
+    // Speed of plane waves along a principal direction: that of dP_ii/dl_i
+    for (const char* text : {linear, neo, mooney})
+    {
+        INFO(text);
+        const auto model(materialFrom(text));
+        materialPoint<3> point(*model, kinematicSet::F);
+        Random random(5);
+        for (label sample = 0; sample < nSamples; ++sample)
+        {
+            scalar l[3];
+            for (scalar& x : l) x = std::exp(0.7*randomScalar(random));
+            const scalar J = l[0]*l[1]*l[2];
+            const auto stretched = [&](const int i, const scalar change)
+            {
+                SolidTensor<3> F;
+                for (int k = 0; k < 9; ++k) F.in[k] = 0;
+                for (int k = 0; k < 3; ++k) F(k, k) = l[k];
+                F(i, i) += change;
+                F.out = 0;
+                point.deform(F);
+                return point.stress()(i, i);
+            };
+
+            scalar most = 1;
+            for (int i = 0; i < 3; ++i)
+            {
+                const scalar h = 1e-5;
+                const scalar modulus =
+                    (stretched(i, h) - stretched(i, -h))/(2*h);
+                most = max
+                (
+                    most,
+                    modulus
+                   /(
+                        model->rho()*sqr(model->cp())
+                       *max(scalar(1), sqr(J/l[i]))
+                    )
+                );
+            }
+            stretched(0, 0);
+
+            scalarField factor;
+            model->waveFactors(point.s, factor);
+            const scalar expected =
+                model->stretchesWaves() ? std::sqrt(most) : 1;
+            CHECK(mag(factor[0] - expected) <= 1e-7*expected);
+        }
+    }
+}
+
+
 // ************************************************************************* //

@@ -56,7 +56,10 @@ public:
         const vector vWall = velocity_(time);
         for (label i = 0; i < c.size(); ++i)
         {
-            const acousticRiemann::side body{c.v[i], c.t[i], c.zp, c.zs};
+            const acousticRiemann::side body
+            {
+                c.v[i], c.t[i], c.waveFactor[i]*c.zp, c.waveFactor[i]*c.zs
+            };
             c.tB[i] = acousticRiemann::rigidTraction(body, vWall, c.n[i]);
             c.vB[i] = vWall;
             c.released[i] = false;

@@ -191,6 +191,7 @@ void Foam::bodyInterface::solve(const scalar, const bool firstStage)
             m[9 + i] = x[i];
         }
         m[12] = P.stretch[k];
+        m[13] = P.waveFactor[k];
     }
     pairing_->toSlots(sent_);
 
@@ -209,7 +210,7 @@ void Foam::bodyInterface::solve(const scalar, const bool firstStage)
         for (label j = 0; j < over.plus.size; ++j)
         {
             const cornerMessage& c = sent_[over.plus.corner[j]];
-            for (label i = 0; i < 13; ++i) m[i] += over.plus.value[j]*c[i];
+            forAll(m, i) m[i] += over.plus.value[j]*c[i];
         }
 
         // The minus side
@@ -225,15 +226,17 @@ void Foam::bodyInterface::solve(const scalar, const bool firstStage)
         }
         const scalar minusStretch = over.minus(M.stretch);
         const scalar plusStretch = m[12];
+        const scalar minusFactor = over.minus(M.waveFactor);
+        const scalar plusFactor = m[13];
 
         p.minus.v = over.minus(M.v);
         p.minus.t = over.minus(M.t)/minusStretch;
-        p.minus.zp = impedance(M.zp, minusStretch);
-        p.minus.zs = impedance(M.zs, minusStretch);
+        p.minus.zp = impedance(minusFactor*M.zp, minusStretch);
+        p.minus.zs = impedance(minusFactor*M.zs, minusStretch);
         p.plus.v = vector(m[0], m[1], m[2]);
         p.plus.t = -vector(m[3], m[4], m[5])/plusStretch;
-        p.plus.zp = impedance(P.zp, plusStretch);
-        p.plus.zs = impedance(P.zs, plusStretch);
+        p.plus.zp = impedance(plusFactor*P.zp, plusStretch);
+        p.plus.zs = impedance(plusFactor*P.zs, plusStretch);
 
         p.area =
             0.5*(over.minus.area*minusStretch + over.plus.area*plusStretch);

@@ -260,8 +260,8 @@ void Foam::obstacleInterface::solve(const scalar time, const bool firstStage)
 
         p.minus.v = M.v[k];
         p.minus.t = M.t[k]/M.stretch[k];
-        p.minus.zp = impedance(M.zp, M.stretch[k]);
-        p.minus.zs = impedance(M.zs, M.stretch[k]);
+        p.minus.zp = impedance(M.waveFactor[k]*M.zp, M.stretch[k]);
+        p.minus.zs = impedance(M.waveFactor[k]*M.zs, M.stretch[k]);
         p.plus.v = motion_.velocity(X);
         p.plus.t = vector::zero;
         p.plus.zp = rigid*p.minus.zp;

@@ -1,0 +1,125 @@
+"""Time integrators and presets: order, conservation, restart, ranks."""
+
+import numpy as np
+import pytest
+
+from smallCases import Body, SmallCase, interface, largest
+
+INTEGRATORS = {"TVDRK2": 2, "TVDRK3": 3, "symplecticEuler": 1}
+LINEAR = {"type": "linearElastic", "rho": 1, "E": 1, "nu": 0.3}
+
+
+def rotating(X):
+    """A rotation, and a stretch that vibrates."""
+    x, y = (X[:, :2] - 0.5).T
+    return np.column_stack((0.2*y + 0.1*x, -0.2*x - 0.05*y, 0*x))
+
+
+def scheme(integrator):
+    split = integrator == "symplecticEuler"
+    return {"reconstruction": "linear" if split else "full"}
+
+
+def block(folder, integrator, end, control=None, **body):
+    body = {"cells": (4, 4), "velocity": rotating,
+            "scheme": scheme(integrator), **body}
+    return SmallCase(folder, Body(**body), end, control={
+        "timeIntegrator": integrator, "timePrecision": 15, **(control or {})})
+
+
+def impact(folder, control, scheme=None):
+    """Two blocks that meet, with meshes that do not match."""
+    bodies = (Body(cells=(5, 4), name="left", velocity=(0.1, 0.02, 0),
+                   sides={"right": "contact"}, scheme=scheme or {}),
+              Body(cells=(4, 3), name="right", start=(1.02, 0.1, 0),
+                   velocity=(-0.1, 0, 0), sides={"left": "contact"},
+                   scheme=scheme or {}))
+    pair = {"meet": interface(("left", "right"), ("right", "left"),
+                              pairing="nearestFace")}
+    return SmallCase(folder, bodies, 0.6, pair, functions=("contactForces",),
+                     control={
+                         "writeInterval": 0.3, "timePrecision": 15, **control})
+
+
+@pytest.mark.parametrize("integrator", INTEGRATORS)
+def test_order_in_time(tmp_path, figures, integrator):
+    """Differences from a run with a sixteenth of the shortest step; without
+    limiter and change of areas, rates are smooth functions of the state."""
+    def state(n):
+        case = block(tmp_path/f"n{n}", integrator, 1, {
+            "adjustTimeStep": "no", "deltaT": 1/n, "writeControl": "timeStep",
+            "writeInterval": n, "functions": {}}, material=LINEAR,
+            scheme={"reconstruction": "none"}).run()
+        return case.at("F")
+
+    exact = state(1280)
+    errors = [largest(state(n) - exact) for n in (40, 80)]
+    with figures(f"order in time, {integrator}") as f:
+        f.atLeast("order", np.log2(errors[0]/errors[1]),
+                  INTEGRATORS[integrator] - 0.1)
+
+
+@pytest.mark.parametrize("integrator", INTEGRATORS)
+def test_momentum(tmp_path, figures, integrator):
+    drift = []
+    for n, maxCo in enumerate((0.4, 0.2)):
+        case = block(tmp_path/str(n), integrator, 5, {"maxCo": maxCo},
+                     material={"type": "neoHookean", "rho": 1, "E": 1,
+                               "nu": 0.3}).run()
+        L = case.momentum["total:Lz"]
+        drift.append(largest(L - L[0])/abs(L[0]))
+        momentum = largest(case.momentumOf() - case.momentumOf()[0])
+    with figures(f"conservation, {integrator}") as f:
+        f.atMost("linear momentum", momentum, 1e-14)
+        if integrator == "TVDRK3":
+            # To the order of the integrator
+            f.atMost("angular momentum, Co 0.4", drift[0], 1e-5)
+            f.atLeast("order of angular momentum",
+                      np.log2(drift[0]/drift[1]), 2.5)
+        else:
+            f.atMost("angular momentum", max(drift), 1e-12)
+
+
+@pytest.mark.parametrize("control, scheme", (
+    ({"preset": "fast"}, {}),
+    ({"preset": "accurate"}, {}),
+    ({"timeIntegrator": "TVDRK3"}, {"waveSpeed": "stretched"}),
+), ids=("fast", "accurate", "TVDRK3 stretched"))
+def test_ranks_and_restart(tmp_path, figures, control, scheme):
+    """The same on three ranks, and, to the last bit, after a restart."""
+    serial = impact(tmp_path/"serial", control, scheme).run()
+    parallel = impact(tmp_path/"parallel", control, scheme)
+    parallel.runParallel(3, "random")
+    again = impact(tmp_path/"again", {**control, "endTime": 0.3}, scheme).run()
+    again.set("system/controlDict", {"endTime": 0.6})
+    again.run()
+    worst, same = 0, True
+    for region in "left", "right":
+        for name in "lm", "F", "J", "pointD":
+            a = serial.at(name, region=region)
+            worst = max(worst, largest(a - parallel.at(name, region=region))
+                        / largest(a))
+            same = same and (a == again.at(name, region=region)).all()
+    assert serial.contact("meet")["area"].max() > 0
+    with figures(f"ranks and restart, {control} {scheme}") as f:
+        f.atMost("three ranks, largest difference", worst, 1e-12)
+        f.equal("restart to the last bit", same, True)
+        f.atMost("linear momentum", largest(
+            serial.momentumOf() - serial.momentumOf()[0]), 1e-14)
+
+
+@pytest.mark.parametrize("integrator", INTEGRATORS)
+def test_energy(tmp_path, figures, integrator):
+    """Energy of an impact. The one of symplecticEuler oscillates with dt/2
+    times its rate, where it is written: it is not a bound."""
+    case = impact(tmp_path/"case", {"timeIntegrator": integrator, "maxCo": 0.4},
+                  scheme(integrator)).run()
+    E = case.totalEnergy
+    rise = np.max(E - np.minimum.accumulate(E))/E[0]
+    balance = largest(case.energies["total:balance"])/E[0]
+    with figures(f"energy of an impact, {integrator}") as f:
+        f.atMost("largest rise / initial", rise,
+                 0.1 if integrator == "symplecticEuler" else 1e-12)
+        f.atMost("largest balance / initial", balance,
+                 0.05 if integrator == "symplecticEuler" else 4e-3)
+        f.within("final / initial", E[-1]/E[0], 0.85, 0.03)
