@@ -438,8 +438,11 @@ void Foam::solidSystem::report(Ostream& os) const
 }
 
 
-void Foam::solidSystem::reportCost(Ostream& os) const
+void Foam::solidSystem::reportCost(OSstream& os) const
 {
+    // The file's precision would make figures unreadable
+    const int precision = os.precision(6);
+
     labelList bodyNodes(bodies_.size(), label(0));
     forAll(bodies_, i)
     {
@@ -481,6 +484,7 @@ void Foam::solidSystem::reportCost(Ostream& os) const
             << " pairings, " << percent*contactSeconds_ << " % in fluxes"
             << nl << nl;
     }
+    os.precision(precision);
 }
 
 
