@@ -222,6 +222,9 @@ CASES = {
     "one stage with full reconstruction": (
         edit("system/controlDict", {"timeIntegrator": "symplecticEuler"}),
         ("controlDict", "timeIntegrator", "symplecticEuler", "full")),
+    "no dissipation": (
+        edit(schemes, {"vertexCentred/dissipation": 0}),
+        ("fvSchemes", "dissipation", "0", "at most 1")),
     "unknown wave speed": (
         edit(schemes, {"vertexCentred/waveSpeed": "nonlinear"}),
         ("fvSchemes", "waveSpeed", "nonlinear", "stretched")),

@@ -39,7 +39,7 @@ Foam::preset::preset(const kind name)
             break;
 
         case kind::accurate:
-            scheme.limiter = limiterType::Venkatakrishnan;
+            scheme.dissipation = 0.5;
             maxCo = 0.3;
             break;
     }

@@ -7,6 +7,7 @@
 #include "schemeOptions.H"
 #include "dictionaryCheck.H"
 #include "Switch.H"
+#include "dimensionSets.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -51,7 +52,7 @@ Foam::schemeOptions::schemeOptions
         wordList
         ({
             "cells", "reconstruction", "limiter", "kinematics", "jacobian",
-            "preserveAngularMomentum", "waveSpeed"
+            "preserveAngularMomentum", "waveSpeed", "dissipation"
         })
     );
 
@@ -71,6 +72,14 @@ Foam::schemeOptions::schemeOptions
     preserveAngularMomentum = dict.getOrDefault<Switch>
     (
         "preserveAngularMomentum", preserveAngularMomentum
+    );
+
+    dissipation =
+        readNumberOrDefault(dict, "dissipation", dimless, dissipation);
+    require
+    (
+        dissipation > 0 && dissipation <= 1,
+        dict, "dissipation", dissipation, "above 0 and at most 1"
     );
 
     if (dict.found("waveSpeed"))

@@ -340,7 +340,7 @@ Foam::solidBody::solidBody
     data_
     (
         dual_, options_.kinematics, material_->finiteStrain(),
-        options_.reconstruction, options_.limiter,
+        options_.reconstruction, options_.limiter, options_.dissipation,
         material_->rho(), material_->cp(), material_->cs()
     ),
     kernel_(vertexKernel::New(data_)),

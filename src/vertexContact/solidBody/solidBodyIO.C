@@ -533,6 +533,7 @@ void Foam::solidBody::report(Ostream& os) const
                data_.reconstruction != reconstructionType::none
            )
         << ", limiter " << onOff(options_.limiter != limiterType::none)
+        << ", dissipation " << options_.dissipation
         << ", waves " << (stretchedWaves_ ? "stretched" : "linear")
         << ", angular momentum preserved " << onOff(angularMomentum_.active())
         << ", gravity " << onOff(mag(max(gravity_)) + mag(min(gravity_)) > 0)

@@ -15,6 +15,7 @@ Foam::vertexData::vertexData
     const bool finiteStrain,
     const reconstructionType reconstruction,
     const limiterType limiter,
+    const scalar dissipation,
     const scalar rho,
     const scalar cp,
     const scalar cs
@@ -24,6 +25,7 @@ Foam::vertexData::vertexData
     finiteStrain(finiteStrain),
     reconstruction(reconstruction),
     limiter(limiter),
+    dissipation(dissipation),
     rho(rho),
     cp(cp),
     cs(cs),

@@ -132,8 +132,8 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
     scalar* rates = d.rates.data();
 
     const label nEdges = d.dual.nEdges();
-    const scalar halfZp = 0.5*d.rho*d.cp;
-    const scalar halfZs = 0.5*d.rho*d.cs;
+    const scalar halfZp = 0.5*d.dissipation*d.rho*d.cp;
+    const scalar halfZs = 0.5*d.dissipation*d.rho*d.cs;
     const scalar perZp = 0.5/(d.rho*d.cp);
     scalar dissipation = 0;
 
