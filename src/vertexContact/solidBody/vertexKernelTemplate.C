@@ -313,7 +313,22 @@ void vertexKernelTemplate<D, nSJ, R, finite>::relaxFree
             {
                 const scalar residual =
                     mag(here) < mag(inside) ? here : -inside;
-                c.vB[k] -= (releasedShare*residual/(c.waveFactor[k]*c.zp))*c.n[k];
+
+                // A body at rest must not creep
+                scalar changeV = 0;
+                for (int i = 0; i < D; ++i)
+                {
+                    scalar along = 0;
+                    for (int m = 0; m < D; ++m)
+                    {
+                        along += grad[a*sG*D + atGrad(i, m)]*N[m];
+                    }
+                    changeV += c.n[k][dir[i]]*along;
+                }
+                const scalar most = releasedShare*mag(depth[k]*changeV);
+                const scalar speed =
+                    releasedShare*residual/(c.waveFactor[k]*c.zp);
+                c.vB[k] -= max(-most, min(most, speed))*c.n[k];
             }
         }
     }
@@ -616,6 +631,14 @@ label vertexKernelTemplate<D, nSJ, R, finite>::advanceNodes
             const scalar detF = determinant(loadF<D>(next.F.cdata(), a));
             good = good && detF > 0;
             if constexpr (nSJ == 1) good = good && next.J[a] > 0;
+        }
+        else if constexpr (kinematics)
+        {
+            // Linear laws stay finite for very long
+            for (int k = 0; k < nP; ++k)
+            {
+                good = good && mag(next.F[a*nP + k]) < 1e6;
+            }
         }
         if (!good) ++nBad;
     }

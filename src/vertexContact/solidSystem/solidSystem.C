@@ -251,8 +251,10 @@ void Foam::solidSystem::complete(const int stage, const updatedPart part)
 
     // Outdated pairings and signals share the reduction
     bool outdated = false;
+    string lost;
     for (contactInterface& contact : interfaces_)
     {
+        if (lost.empty()) lost = contact.lost();
         outdated =
             outdated
          || (contact.moves() && contact.outdated(runTime_.value()));
@@ -263,13 +265,19 @@ void Foam::solidSystem::complete(const int stage, const updatedPart part)
         (
             vector
             (
-                nBad + wrongNode_.size(), outdated, signals_.take()
+                nBad + wrongNode_.size() + lost.size(), outdated,
+                signals_.take()
             ),
             sumOp<vector>()
         )
     );
     if (all.x() > 0)
     {
+        const string where = firstOf(lost);
+        if (where.size())
+        {
+            stopOnLostContact(where);
+        }
         stopOnBadState();
     }
     pairAgain_ = pairAgain_ || all.y() > 0;
@@ -446,6 +454,19 @@ void Foam::solidSystem::stopOnBadState()
         where,
         "a smaller maxCo, 'reconstruction linear' or a finer mesh where the "
         "deformation is largest."
+    );
+}
+
+
+void Foam::solidSystem::stopOnLostContact(const string& where)
+{
+    stopStep
+    (
+        "A surface has gone through another one",
+        where,
+        "a finer mesh at the surfaces, or edges that are rounded where they "
+        "dig in; an impact that fast may be beyond the scheme "
+        "(tests/robustness/stability.md)."
     );
 }
 

@@ -21,6 +21,9 @@ namespace
 constexpr Foam::scalar leavesSmall = 0.05;
 constexpr Foam::scalar staysSmall = 0.005;
 
+//- Largest maxCo that was found stable in all scenes
+constexpr Foam::scalar largestCo = 1;
+
 } // End anonymous namespace
 
 
@@ -72,7 +75,13 @@ void Foam::solidSystem::checkIntegrator() const
 
 void Foam::solidSystem::checkControls() const
 {
-    maxCo();
+    if (maxCo() > largestCo)
+    {
+        WarningInFunction
+            << "maxCo is " << maxCo() << ": above " << largestCo
+            << " steps may be unstable (tests/robustness/stability.md)."
+            << endl;
+    }
     const dictionary& control = runTime_.controlDict();
     const scalar rise = control.getOrDefault<scalar>("maxEnergyRise", 1);
     dictionaryCheck::require
@@ -218,6 +227,27 @@ void Foam::solidSystem::checkRange()
 }
 
 
+void Foam::solidSystem::checkDissipation(const List<energies>& all)
+{
+    forAll(bodies_, i)
+    {
+        const energies& e = all[i];
+        const scalar share = -e.numericalDissipation/(e.total() + VSMALL);
+        if (!warnedOfGain_ && share > 0.01)
+        {
+            warnedOfGain_ = true;
+            WarningInFunction
+                << "Region " << bodies_[i].name() << " has gained "
+                << 100*share << " % of its energy from the fluxes, which "
+                << "ought to take some (numericalDissipation < 0)." << nl
+                << "    Likely cures: 'reconstruction linear', which does not "
+                << "gain energy; more than three cells across the body."
+                << endl;
+        }
+    }
+}
+
+
 void Foam::solidSystem::reportRange(Ostream& os) const
 {
     forAll(bodies_, i)
@@ -296,7 +326,9 @@ void Foam::solidSystem::log()
         << runTime_.deltaTValue()/timeStepLimit_;
     if (energiesOn_)
     {
-        const energies e = computeEnergies().last();
+        const List<energies> all(computeEnergies());
+        checkDissipation(all);
+        const energies& e = all.last();
         os  << "  kinetic " << e.kinetic << "  strain " << e.strain
             << "  dissipated " << e.numericalDissipation
             << "  balance " << e.balance << " J";

@@ -148,6 +148,31 @@ void Foam::contactInterface::setTouching
 }
 
 
+void Foam::contactInterface::lose
+(
+    const contactSide& side,
+    const label corner,
+    const scalar penetration,
+    const scalar depth
+)
+{
+    if (lost_.size() || law_->bonded())
+    {
+        return;
+    }
+    const solidBody& body = *side.body;
+    const dualPatch& patch = body.corners(side.patchi).geometry;
+    const label node = patch.cornerNode[corner];
+    OStringStream os;
+    os  << "interface " << name_ << ", region " << body.name() << ", patch "
+        << side.patchName << ", node at "
+        << body.mesh().points()[body.dual().nodePoint()[node]]
+        << " (reference) " << body.position(node) << " (current), is "
+        << penetration << " m inside, and its cell " << depth << " m thick";
+    lost_ = os.str();
+}
+
+
 void Foam::contactInterface::solveProblems()
 {
     // Relative velocities with the closing speed, which leaves the common

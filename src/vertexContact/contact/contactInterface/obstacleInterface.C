@@ -175,6 +175,7 @@ void Foam::obstacleInterface::update(const scalar time)
     // Within one width of a face there is a plane
     planes_.clear();
     scalar nearest = GREAT;
+    const scalarField& status = side_.body->contact().status;
     const scalarField& depth = side_.body->depth(side_.patchi);
     forAll(x, k)
     {
@@ -182,6 +183,10 @@ void Foam::obstacleInterface::update(const scalar time)
         {
             const scalar gap = (x[k] - hits[k].hitPoint()) & normals[k];
             nearest = min(nearest, mag(x[k] - hits[k].hitPoint()));
+            if (status[patch.cornerNode[k]] > 0.5 && gap < -depth[k])
+            {
+                lose(side_, k, -gap, depth[k]);
+            }
             if
             (
                 gap <= leastWidth_ && gap >= -depth[k]
@@ -277,6 +282,10 @@ void Foam::obstacleInterface::solve(const scalar time, const bool firstStage)
         (
             p, (M.n[k] & p.n) > 0.1, closed_[i], 0.5*depth[k], 0.5*waveSpeed
         );
+        if (closed_[i] && p.gap < -depth[k])
+        {
+            lose(side_, k, -p.gap, depth[k]);
+        }
     }
 
     solveProblems();

@@ -1,0 +1,107 @@
+"""Run a case to its end or to its error, and say which of four it was."""
+
+import re
+from dataclasses import dataclass, field
+from subprocess import TimeoutExpired
+
+import numpy as np
+
+from smallCases import SmallCase, largest
+
+# The solver knows preset, timeIntegrator and waveSpeed
+NEW_KEYWORDS = True
+
+# Rise of the energy, and residual of its balance, by the energy of the scene
+RISE, BALANCE = 0.01, 0.05
+
+STABLE, GAINS, STOPPED, WRONG = "stable", "gains energy", "stopped", "wrong"
+OUTCOMES = STABLE, GAINS, STOPPED, WRONG
+
+
+@dataclass
+class Result:
+    """What became of a run: outcome, measured figures with their least and
+    most (None: any), and what was out of bounds, or the message."""
+
+    outcome: str
+    figures: dict = field(default_factory=dict)
+    why: str = ""
+
+    def __getitem__(self, name):
+        return self.figures[name][0]
+
+
+def small(folder, bodies, endTime, maxCo=None, control=None, **more):
+    """A case with the solver's own defaults; maxCo only where one is asked
+    for."""
+    case = SmallCase(folder, bodies, endTime, control=control, **more)
+    file = case/"system/controlDict"
+    text = re.sub(r"(?m)^maxCo .*\n", "", file.read_text())
+    if maxCo is None and not NEW_KEYWORDS:
+        maxCo = 0.6             # what the default will be
+    if maxCo is not None:
+        text += f"maxCo {maxCo:.17g};\n"
+    file.write_text(text)
+    return case
+
+
+def message(log):
+    """First line of the only fatal error, or nothing."""
+    found = re.findall(r"--> FOAM FATAL(?: IO)? ERROR:?[^\n]*\n(.*?)\n", log)
+    return found[0].strip() if len(found) == 1 else ""
+
+
+def ownEnergy(case):
+    """Energy of all bodies less the work of loads from outside: what bodies
+    do to each other may only lower it."""
+    return case.totalEnergy - case.energies["total:externalWork"]
+
+
+def rise(energy, scale):
+    """Largest rise over any earlier value."""
+    return float(np.max(energy - np.minimum.accumulate(energy))/scale)
+
+
+def momentumChange(case, scale):
+    p = case.momentumOf()
+    return largest(p - p[0])/scale
+
+
+def bounded(value, least, most):
+    return np.isfinite(value) and (least is None or value >= least) \
+        and (most is None or value <= most)
+
+
+def outcome(case, check=None, scale=None, riseLimit=RISE,
+            balanceLimit=BALANCE):
+    """Run, and judge. check(case) gives (name, value, least, most) of what
+    must hold in this scene; scale is an energy, or scale(case), else the
+    initial one."""
+    try:
+        code, log = case.attempt()
+    except TimeoutExpired:
+        return Result(WRONG, why="no end")
+    if code != 0:
+        told = message(log)
+        clean = code == 1 and told
+        return Result(STOPPED if clean else WRONG, {}, told or
+                      f"exit code {code} without one message")
+    if "\nEnd" not in log:
+        return Result(WRONG, why="ends without End")
+    energy = ownEnergy(case)
+    if not np.all(np.isfinite(energy)):
+        return Result(WRONG, why="energy not finite")
+    scale = scale(case) if callable(scale) else scale or energy[0]
+    rows = [("rise", rise(energy, scale), None, riseLimit),
+            ("balance", largest(case.energies["total:balance"])/scale, None,
+             balanceLimit),
+            ("steps", int(re.search(r"\nSteps: (\d+) in", log)[1]), 1, None)]
+    rows += check(case) if check else []
+    figures = {name: (float(value), least, most)
+               for name, value, least, most in rows}
+    bad = [f"{name} {value[0]:.3g}" for name, value in figures.items()
+           if not bounded(*value)]
+    if not bad:
+        return Result(STABLE, figures)
+    gains = not bounded(*figures["rise"])
+    return Result(GAINS if gains else WRONG, figures, ", ".join(bad))

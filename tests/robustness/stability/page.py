@@ -1,0 +1,295 @@
+"""The page and the pictures, from the rows of the table."""
+
+import inspect
+import json
+import textwrap
+from collections import Counter
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.colors import ListedColormap
+
+from .groups import GROUPS, PRESETS, RECONSTRUCTIONS
+from .judge import BALANCE, GAINS, OUTCOMES, RISE, STABLE, STOPPED, WRONG
+
+MARKS = {STABLE: "·", GAINS: "energy", STOPPED: "stopped", WRONG: "**wrong**"}
+COLOURS = "#8bc48a", "#f2c14e", "#9aa0a6", "#d1495b"
+
+# maxCo of the preset balanced
+DEFAULT = 0.6
+
+TITLES = {
+    "presets": "Poisson's ratio, step and preset",
+    "step": "Largest stable step",
+    "mach": "Impact Mach number",
+    "impedance": "Impedance ratio",
+    "faces": "Face-size ratio, impact",
+    "pressure": "Face-size ratio, uniform pressure",
+    "gap": "Initial gap and overlap",
+    "slivers": "Slivers",
+    "aspect": "Aspect ratio",
+    "units": "Units",
+    "single": "One cell a body",
+    "cradle": "Ten bodies in a row",
+    "friction": "Friction",
+    "settling": "Rest under gravity",
+    "spin": "Free rotation",
+    "vibration": "Free vibration"}
+
+# All figures of each run; else the last parameter in columns
+LISTED = "single", "cradle", "settling", "spin", "vibration"
+
+
+class Row:
+    """A run as in the table, read."""
+
+    def __init__(self, row):
+        self.group, self.outcome = row["group"], row["outcome"]
+        self.why, self.seconds = row["why"], float(row["seconds"])
+        self.parameters = json.loads(row["parameters"])
+        self.figures = json.loads(row["figures"])
+
+    def __getitem__(self, name):
+        return self.parameters[name]
+
+
+def wrapped(text, **more):
+    return textwrap.fill(" ".join(text.split()), 150, break_long_words=False,
+                         break_on_hyphens=False, **more)
+
+
+def table(head, lines):
+    rows = [head, ["---"]*len(head), *lines]
+    return "\n".join(f"| {' | '.join(str(c) for c in r)} |" for r in rows)
+
+
+def span(bounds):
+    """The bounds of all runs, which may differ from run to run."""
+    known = sorted({b for b in bounds if b is not None})
+    ends = dict.fromkeys(known[:1] + known[-1:])
+    return " … ".join(f"{b:.3g}" for b in ends)
+
+
+def limits(rows):
+    """What is asked for, of all runs of a group."""
+    found = {}
+    for row in rows:
+        for name, (_, *bounds) in row.figures.items():
+            found.setdefault(name, []).append(bounds)
+    lines = []
+    for name, bounds in found.items():
+        least, most = (span(b) for b in zip(*bounds))
+        if most:
+            least = f" at least {least} and" if least not in ("", "0") else ""
+            lines.append(f"{name}{least} at most {most}")
+    return ", ".join(lines)
+
+
+def pivot(rows):
+    """The last parameter in columns, all others in lines."""
+    *names, last = rows[0].parameters
+    columns = list(dict.fromkeys(r[last] for r in rows))
+    lines = {}
+    for r in rows:
+        lines.setdefault(tuple(r[n] for n in names), {})[r[last]] = \
+            MARKS[r.outcome]
+    return table([*names, *(f"{last} {columns[0]:g}"
+                            if not isinstance(columns[0], str) and i == 0
+                            else c for i, c in enumerate(columns))],
+                 [[*key, *(line.get(c, "") for c in columns)]
+                  for key, line in lines.items()])
+
+
+def listed(rows):
+    names = list(rows[0].parameters)
+    figures = list(dict.fromkeys(f for r in rows for f in r.figures))
+    return table([*names, "outcome", *figures], [
+        [*r.parameters.values(), r.outcome, *(
+            f"{r.figures[f][0]:.3g}" if f in r.figures else ""
+            for f in figures)] for r in rows])
+
+
+def bad(rows):
+    """What is not stable, and why: one line for each reason."""
+    reasons = {}
+    for r in rows:
+        if r.outcome != STABLE:
+            reasons.setdefault((r.outcome, r.why.split(":")[0]
+                                if r.outcome == STOPPED else r.why), []
+                               ).append(r)
+    lines = []
+    for (outcome, why), some in reasons.items():
+        first = " ".join(f"{k} {v}" for k, v in some[0].parameters.items())
+        more = f" and {len(some) - 1} more" if len(some) > 1 else ""
+        lines.append(wrapped(f"- {outcome}: {first}{more}: {why}",
+                             subsequent_indent="  "))
+    return "\n".join(lines)
+
+
+def worst(rows):
+    """Largest figures of the runs that are stable."""
+    good = [r for r in rows if r.outcome == STABLE]
+    names = [f for f in dict.fromkeys(f for r in good for f in r.figures)
+             if f not in ("steps", "angle")]
+    return ", ".join(f"{name} " + format(max(
+        abs(r.figures[name][0]) for r in good if name in r.figures), ".2g")
+        for name in names)
+
+
+# The largest stable step
+
+def largestStep(rows):
+    """The largest maxCo below which all are stable, by (timeIntegrator,
+    reconstruction, dimensions), and the balance there at about the default."""
+    found = {}
+    keys = dict.fromkeys((r["timeIntegrator"], r["reconstruction"],
+                          r["dimensions"]) for r in rows)
+    for key in keys:
+        mine = [r for r in rows if (r["timeIntegrator"], r["reconstruction"],
+                                    r["dimensions"]) == key]
+        values = sorted({r["maxCo"] for r in mine})
+        good = 0
+        for value in values:
+            if any(r.outcome != STABLE for r in mine if r["maxCo"] == value):
+                break
+            good = value
+        near = min(values, key=lambda v: abs(v - DEFAULT))
+        balance = max((r.figures["balance"][0] for r in mine
+                       if r["maxCo"] == near and r.figures), default=np.nan)
+        found[key] = good, balance
+    return found
+
+
+def stepTable(rows):
+    found = largestStep(rows)
+    lines = []
+    for name, reconstruction in dict.fromkeys(k[:2] for k in found):
+        three = [found.get((name, reconstruction, d), (0, np.nan))
+                 for d in (1, 2, 3)]
+        lines.append([name, reconstruction, *(f"{g:.1f}" for g, _ in three),
+                      f"{min(g for g, _ in three)/DEFAULT:.1f}",
+                      f"{max(b for _, b in three):.2g}"])
+    return table(["time integrator", "reconstruction", "1D", "2D", "3D",
+                  f"margin of {DEFAULT:g}",
+                  f"residual of the balance at {DEFAULT:g}"], lines)
+
+
+# Pictures
+
+def save(figure, file):
+    figure.savefig(file, dpi=80, bbox_inches="tight")
+    plt.close(figure)
+
+
+def presetPicture(rows, file):
+    presets = [p for p in PRESETS if any(r["preset"] == p for r in rows)]
+    nus = sorted({r["nu"] for r in rows})
+    steps = sorted({r["maxCo"] for r in rows})
+    figure, axes = plt.subplots(1, len(presets), squeeze=False, sharey=True,
+                                figsize=(3.2*len(presets) + 0.6, 2.8))
+    for axis, preset in zip(axes[0], presets):
+        grid = np.full((len(nus), len(steps)), np.nan)
+        for r in rows:
+            if r["preset"] == preset:
+                grid[nus.index(r["nu"]), steps.index(r["maxCo"])] = \
+                    OUTCOMES.index(r.outcome)
+        axis.imshow(grid, cmap=ListedColormap(COLOURS), vmin=0, vmax=3,
+                    aspect="auto", origin="lower")
+        axis.set_xticks(range(1, len(steps), 2), [
+            f"{s:g}" for s in steps[1::2]])
+        axis.set_yticks(range(len(nus)), [f"{n:g}" for n in nus])
+        axis.set(title=preset, xlabel="maxCo")
+    axes[0][0].set_ylabel("Poisson's ratio")
+    figure.legend(handles=[plt.Rectangle((0, 0), 1, 1, color=c)
+                           for c in COLOURS], labels=OUTCOMES, ncol=4,
+                  loc="lower center", bbox_to_anchor=(0.5, -0.18),
+                  frameon=False)
+    save(figure, file)
+
+
+def stepPicture(rows, file):
+    found = largestStep(rows)
+    names = list(dict.fromkeys(k[0] for k in found))
+    figure, axes = plt.subplots(1, len(names), squeeze=False, sharey=True,
+                                figsize=(2.9*len(names) + 0.6, 2.6))
+    for axis, name in zip(axes[0], names):
+        for i, d in enumerate((1, 2, 3)):
+            values = [found.get((name, r, d), (0, 0))[0]
+                      for r in RECONSTRUCTIONS]
+            axis.bar(np.arange(3) + 0.27*(i - 1), values, 0.25,
+                     label=f"{d}D", color=("#2b6f9e", "#6aa9d0", "#b9d6ea")[i])
+        axis.axhline(DEFAULT, color="#d1495b", lw=1.2, label="default")
+        axis.set_xticks(range(3), RECONSTRUCTIONS)
+        axis.set_title(name)
+    axes[0][0].set_ylabel("largest stable maxCo")
+    axes[0][-1].legend(frameon=False, fontsize=8)
+    save(figure, file)
+
+
+def section(here, group, rows):
+    text = [f"## {TITLES[group]}", ""]
+    text.append(wrapped(inspect.getdoc(GROUPS[group][0])))
+    text.append("")
+    if group == "step":
+        stepPicture(rows, here/"step.png")
+        text += [stepTable(rows), "", "![largest stable maxCo by "
+                 "reconstruction and dimension](stability/step.png)", ""]
+    elif group in LISTED:
+        text += [listed(rows), ""]
+    else:
+        text += [pivot(rows), ""]
+    if group == "presets":
+        presetPicture(rows, here/"presets.png")
+        text += ["![outcome by Poisson's ratio, maxCo and preset]"
+                 "(stability/presets.png)", ""]
+    asked = f"Limits: {limits(rows)}."
+    if worst(rows):
+        asked += f" Largest of the stable runs: {worst(rows)}."
+    text += [wrapped(asked), ""]
+    if group != "step" and bad(rows):
+        text += [bad(rows), ""]
+    return text
+
+
+def write(here, rows):
+    rows = [Row(r) for r in rows]
+    groups = {g: [r for r in rows if r.group == g] for g in GROUPS}
+    groups = {g: some for g, some in groups.items() if some}
+    lines = []
+    for group, some in groups.items():
+        count = Counter(r.outcome for r in some)
+        lines.append([f"[{TITLES[group]}](#{anchor(TITLES[group])})", group,
+                      len(some), *(count[o] for o in OUTCOMES),
+                      f"{sum(r.seconds for r in some):.0f}"])
+    text = "\n".join((
+        "# Stability map", "", wrapped(f"""Written by
+        `tests/robustness/stability/map.py [-jobs N] [group ...]` from
+        `stability/stability.csv`, which has the figures of each run. Defaults
+        (preset balanced, maxCo {DEFAULT:g}) where nothing else is said;
+        lengths, densities and speeds of waves of order 1."""), "",
+        "Outcomes:", "",
+        *(wrapped(f"- {line}", subsequent_indent="  ") for line in (
+            f"""**stable** (`·`): completed; the energy of all bodies less the
+            work of outer loads is nowhere above an earlier value by more than
+            `rise`, {100*RISE:g} % of the initial energy unless the scene says
+            otherwise; the residual of the balance of energies is at most
+            `balance`, {100*BALANCE:g} % of it; and all other figures of the
+            scene are within the limits given below its table;""",
+            """**gains energy** (`energy`): completed, but the energy rises
+            more;""",
+            "**stopped**: ended with exit code 1 and one message;",
+            """**wrong**: anything else, that is a crash, no end, or a figure
+            out of its limits.""")), "", ""))
+    text += table(["scene", "group", "runs", *OUTCOMES, "seconds of one core"],
+                  lines) + "\n\n"
+    for group, some in groups.items():
+        text += "\n".join(section(here, group, some)) + "\n"
+    (here.parent/"stability.md").write_text(text.rstrip() + "\n")
+
+
+def anchor(title):
+    return "".join(c for c in title.lower().replace(" ", "-")
+                   if c.isalnum() or c == "-")
