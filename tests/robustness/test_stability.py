@@ -11,6 +11,8 @@ from stability.resting import friction, settling
 
 SCENES = {
     **{f"nu {nu}": (collision, {"nu": nu}) for nu in (0, 0.4, 0.4999)},
+    **{f"nu 0.4999, {preset}": (collision, {"nu": 0.4999, "preset": preset})
+       for preset in ("fast", "accurate")},
     **{f"Mach {speed}, {cells}": (mach, {
         "cells": cells, "waveSpeed": "linear", "speed": speed})
         for cells, speed in (("40", 0.001), ("40", 1), ("20x4", 0.001),
@@ -41,6 +43,8 @@ SCENES = {
     "friction 3, two bodies": (friction, {"on": "body", "coefficient": 3}),
     "rest on a plane": (settling, {"on": "plane", "friction": 0,
                                    "cells": "4x4", "steps": 20000}),
+    "rest, clamped": (settling, {"on": "clamp", "friction": 0, "cells": "4x4",
+                                 "steps": 20000}),
     "rotation": (spin, {"cells": "3x3x3", "reconstruction": "linear",
                         "revolutions": 10}),
     "vibration": (vibration, {

@@ -5,7 +5,7 @@ import numpy as np
 
 from smallCases import RUBBER, Body, distorted, largest
 
-from .judge import momentumChange, outcome, small
+from .judge import BALANCE, SPLIT_BALANCE, momentumChange, outcome, small
 
 # Elements of a side
 FINE = {1: 20, 2: 6, 3: 4}
@@ -195,7 +195,8 @@ def vibration(folder, cells, reconstruction, timeIntegrator, steps):
             yield "H - cof F", H, 0, DRIFT
             yield "J - det F", J, 0, DRIFT
         yield "energy left", case.totalEnergy[-1]/case.totalEnergy[0], None, 1
-    return outcome(case, check)
+    return outcome(case, check, balanceLimit=SPLIT_BALANCE
+                   if timeIntegrator == "symplecticEuler" else BALANCE)
 
 
 def spin(folder, cells, reconstruction, revolutions):

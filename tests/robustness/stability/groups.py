@@ -2,7 +2,7 @@
 
 from itertools import product
 
-from . import free, impacts, judge, resting
+from . import free, impacts, resting
 
 SCAN = [round(0.1*i, 1) for i in range(1, 13)]
 PRESETS = "fast", "balanced", "accurate"
@@ -111,15 +111,7 @@ GROUPS = {
 }
 
 
-def known(parameters):
-    """Whether this build has all of the keywords."""
-    return judge.NEW_KEYWORDS or not (
-        parameters.get("preset", "balanced") != "balanced"
-        or parameters.get("waveSpeed", "linear") != "linear"
-        or parameters.get("timeIntegrator", "TVDRK2") != "TVDRK2")
-
-
 def cellsOf(group):
     """The scene of a group and the parameters of its runs."""
     scene, parameters = GROUPS[group]
-    return scene, [p for p in parameters() if known(p)]
+    return scene, parameters()

@@ -8,7 +8,8 @@ from smallCases import (ELASTIC, RUBBER, Body, condition, distorted, interface,
                         largest)
 
 from .free import anyModes, rubber
-from .judge import RISE, momentumChange, outcome, small
+from .judge import (BALANCE, RISE, SPLIT_BALANCE, momentumChange, outcome,
+                    small)
 
 PAIRINGS = "matching", "AMI", "nearestFace"
 FORCES = {"functions": ("contactForces",)}
@@ -70,7 +71,8 @@ def collision(folder, nu, maxCo=None, preset=None):
         yield "momentum", momentumChange(case, scale), 0, 1e-12
         yield ("penetration", case.contact("leftright")[
             "penetration"].max()*3, 0, 0.1)
-    return outcome(case, check)
+    return outcome(case, check, balanceLimit=SPLIT_BALANCE
+                   if preset == "fast" else BALANCE)
 
 
 # Bars

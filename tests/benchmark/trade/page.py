@@ -1,0 +1,179 @@
+"""The page a user decides from, and the pictures, from the rows of the
+table."""
+
+from pathlib import Path
+
+from cases import CASES
+from front import LARGEST_RISE, cheapest, front, numbers
+from picture import draw
+from variants import PRESETS, label, options
+
+here = Path(__file__).resolve().parent
+LIMITS = (0.4, 0.2, 0.1, 0.05, 0.025, 0.0125, 0.00625)
+
+HEAD = f"""# Speed against accuracy
+
+Written by `tests/benchmark/trade/trade.py`; all runs are in [`trade.csv`](trade/trade.csv). `-h` tells how to run a part of it again.
+
+*Error* is the mean of three: the relative L1 differences in time of the velocity of a probe and of the contact force, and the difference of the energy
+that is left at the end, over the initial one (kinetic, strain, plastic work). The solution of the two bars is exact. For the others it is the run
+with `accurate` on the finest mesh, whose own error is estimated below. *Force*, and its *peak*, are of means over hundredths of the run; *impulse* is that at the
+end; *rise* the largest rise of kinetic and strain energy above an earlier value; *penetration* the largest, over the width of a face.
+
+*Cost* is the time of all steps, over that of a small fixed case next to it in time, so that the minute does not matter; in the tables by that of
+`balanced` on the base mesh. One core. Runs whose energy rises by more than {LARGEST_RISE:g} of the initial one are not on the front, however small
+their error is.
+"""
+
+
+def percent(value, digits=2):
+    return f"{100*value:.{digits}g} %" if value != "" else ""
+
+
+def table(head, lines):
+    rows = ["| " + " | ".join(head) + " |", "|" + "---|"*len(head)]
+    return "\n".join(rows + ["| " + " | ".join(line) + " |"
+                             for line in lines]) + "\n"
+
+
+def find(rows, chosen):
+    """The row of these options, if there is one that ended well."""
+    for row in rows:
+        if all(str(row["options"][k]) == v for k, v in chosen.items()):
+            return row
+    return None
+
+
+def presets(tables):
+    """Error and relative cost of each preset on the base meshes."""
+    lines = []
+    for name, rows in tables.items():
+        case = CASES[name]
+        found = {p: find(rows, options(case, p)) for p in PRESETS}
+        if not found["balanced"]:
+            continue
+        unit = found["balanced"]["cost"]
+        cells = [case.title]
+        for p in PRESETS:
+            row = found[p]
+            cells += [percent(row["error"], 3), f"{row['cost']/unit:.2f}"] \
+                if row else ["", ""]
+        lines.append(cells)
+    head = ["on the base mesh"] + [text for p in PRESETS
+                                   for text in (f"`{p}`: error", "cost")]
+    return table(head, lines)
+
+
+def decisions(tables, error, what):
+    """The cheapest run that reaches each limit, and what that costs."""
+    lines = []
+    for name, rows in tables.items():
+        last = None
+        for limit in LIMITS:
+            row = cheapest(rows, limit, error)
+            if row is None:
+                lines.append([CASES[name].title, percent(limit),
+                              "none of the runs", "", "", ""])
+                break
+            more = f"{row['cost']/last['cost']:.1f}" if last else ""
+            line = [CASES[name].title, percent(limit), row["label"],
+                    percent(row[error]), f"{row['seconds']:.2g}", more]
+            if row is last:
+                # It reaches the next limit, too
+                lines[-1][1] = percent(limit)
+            else:
+                lines.append(line)
+            last = row
+    return table(["case", f"{what} at most", "cheapest run", "it has",
+                  "seconds", "times the line above"], lines)
+
+
+def meshes(case, rows, unit):
+    """The presets on all meshes."""
+    lines = []
+    for preset in PRESETS:
+        mine = [r for r in rows
+                if r["options"] == options(case, preset, r["options"]["mesh"])]
+        lines += [runLine(r, unit) for r in sorted(
+            mine, key=lambda r: float(r["options"]["mesh"]))]
+    return table(RUN_HEAD, lines)
+
+
+RUN_HEAD = ("run", "error", "velocity", "stress", "force", "peak", "impulse",
+            "energy", "rise", "penetration", "steps", "µs per node and step",
+            "cost")
+
+
+def runLine(row, unit):
+    return [row["label"], percent(row["error"], 3)] + [
+        percent(row[k]) for k in RUN_HEAD[2:10]] + [
+        f"{row['steps']:.0f}", f"{row['us']:.3f}", f"{row['cost']/unit:.2f}"]
+
+
+def section(case, rows, stopped):
+    balanced = find(rows, options(case))
+    if not balanced:
+        return f"## {case.title.capitalize()}\n\nNot run.\n"
+    unit = balanced["cost"]
+    draw(case, rows, unit)
+    base = [r for r in rows if r["options"]["mesh"] == case.base]
+    text = [f"## {case.title.capitalize()}\n",
+            f"[`{case.tutorial}`](../../tutorials/{case.tutorial}/README.md), "
+            f"base mesh {case.base}: `balanced` takes "
+            f"{balanced['seconds']:.2g} s. " + reference(case, rows) + "\n",
+            f"![error by cost](trade/{case.name}.png)\n",
+            "The front: " + "; ".join(
+                f"*{r['label']}* ({percent(r['error'])} at "
+                f"{r['cost']/unit:.2g})" for r in front(rows)) + ".\n",
+            "Presets on all meshes:\n", meshes(case, rows, unit),
+            "Other options, base mesh:\n",
+            table(RUN_HEAD, [runLine(r, unit) for r in base
+                             if r["label"] not in PRESETS])]
+    if case.name == "taylor":
+        text += ["Length, radius and plastic work at the end:\n", table(
+            ("run", "length", "radius", "plastic work / initial energy"),
+            [[r["label"]] + [percent(r[k]) for k in
+                             ("length", "radius", "plasticWork")]
+             for r in rows if r["label"].split(",")[0] in PRESETS])]
+    if stopped:
+        text += ["Ended by the solver: " + "; ".join(
+            f"*{r['label']}* ({r['status']})" for r in stopped) + ".\n"]
+    return "\n".join(text)
+
+
+def reference(case, rows):
+    """What is known of the error of the reference."""
+    if not case.finest:
+        return "The reference is the exact solution."
+    next_ = max(case.meshes, key=float)
+    row = find(rows, options(case, "accurate", next_))
+    text = f"The reference is mesh {case.finest} with `accurate`"
+    if not row:
+        return text + "."
+    return (f"{text}; mesh {next_} with `accurate` is {percent(row['error'])} "
+            f"from it (velocity {percent(row['velocity'])}, force "
+            f"{percent(row['force'])}, energy {percent(row['energy'])}).")
+
+
+def writePage(rows):
+    rows = list(rows)
+    done = numbers(rows)
+    texts = [r for r in rows if r["status"] == "done"]
+    for row, text in zip(done, texts):
+        case = CASES[text["case"]]
+        row["options"] = {k: text[k] for k in options(case)}
+        # Which may have become that of a preset, or no longer be one
+        row["label"] = label(case, row["options"])
+    tables = {name: [r for r in done if r["case"] == name] for name in CASES}
+    tables = {name: found for name, found in tables.items() if found}
+    page = [HEAD, "## Presets\n", presets(tables),
+            "## What an error costs\n",
+            "The cheapest of all runs, on any mesh, with at most that error:"
+            "\n", decisions(tables, "error", "error"),
+            "For the peak of the contact force alone, which may be right by "
+            "chance on a coarse mesh:\n",
+            decisions(tables, "peak", "error of the peak force")]
+    page += [section(CASES[name], found, [
+        r for r in rows if r["case"] == name and r["status"] != "done"])
+        for name, found in tables.items()]
+    (here.parent/"trade.md").write_text("\n".join(page))

@@ -1,0 +1,46 @@
+"""Work against precision of a case, with the front marked."""
+
+from pathlib import Path
+
+import matplotlib
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+
+from front import LARGEST_RISE, front
+from variants import PRESETS
+
+here = Path(__file__).resolve().parent
+
+
+def draw(case, rows, unit):
+    """rows: numbers of one case; unit: cost of balanced on the base mesh."""
+    figure, axes = plt.subplots(figsize=(7.5, 5.5))
+
+    def show(some, style, **more):
+        axes.plot([r["cost"]/unit for r in some],
+                  [r["error"] for r in some], style, **more)
+
+    bad = [r for r in rows if r["rise"] > LARGEST_RISE]
+    others = [r for r in rows if r not in bad]
+    show(others, ".", color="0.6", label="all runs")
+    show(bad, "x", color="tab:red", label="energy rises")
+    best = front(rows)
+    show(best, "k-", linewidth=0.8, label="front")
+    show(best, "o", color="k", markersize=9, markerfacecolor="none")
+    for preset, marker in zip(PRESETS, "v^s"):
+        mine = sorted((r for r in rows if r["label"].split(",")[0] == preset),
+                      key=lambda r: r["cost"])
+        show(mine, f"{marker}--", linewidth=1, label=preset)
+    for row in best:
+        if row["label"].split(",")[0] not in PRESETS:
+            axes.annotate(row["label"], (row["cost"]/unit, row["error"]),
+                          fontsize=6, xytext=(4, 4),
+                          textcoords="offset points")
+    axes.set(xscale="log", yscale="log", title=case.title,
+             xlabel="cost / that of balanced on the base mesh",
+             ylabel="error: mean of velocity, force and energy")
+    axes.legend(fontsize=8)
+    axes.grid(alpha=0.3, which="both")
+    figure.tight_layout()
+    figure.savefig(here/f"{case.name}.png", dpi=90)
+    plt.close(figure)
