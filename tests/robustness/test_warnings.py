@@ -1,0 +1,79 @@
+"""What a run says of a choice that does not fit, and how it ends where it
+cannot go on."""
+
+import numpy as np
+import pytest
+
+from smallCases import ELASTIC, RUBBER, Body, SmallCase
+from stability.free import rubber
+from stability.impacts import mach
+from stability.judge import STOPPED
+
+LAWS = {"linearElastic": ELASTIC, "neoHookean": RUBBER,
+        "HenckyVonMises": {**RUBBER, "type": "HenckyVonMises", "tauY": 10}}
+
+
+def log(folder, law, speed, maxCo=0.5):
+    """Output of a bar that hits a wall with a speed, those of waves about 1."""
+    case = SmallCase(folder, Body(
+        cells=(20,), material=LAWS[law], velocity=(-speed, 0, 0),
+        sides={"left": {"type": "fixedVelocity", "velocity": (0, 0, 0)}}),
+        0.5, control={"maxCo": maxCo, "logInterval": 10})
+    code, output = case.attempt()
+    assert code == 0, output
+    return output
+
+
+def test_small_strain_law_strained(tmp_path):
+    output = log(tmp_path/"large", "linearElastic", 0.2)
+    assert output.count("is a law of small strains") == 1, output
+    assert "linearElastic" in output and "neoHookean" in output
+    assert "law of small strains" not in log(
+        tmp_path/"small", "linearElastic", 0.01)
+
+
+def test_cheaper_laws(tmp_path):
+    assert "linearElastic, whose" in log(tmp_path/"small", "neoHookean", 1e-4)
+    assert "linearElastic, whose" not in log(
+        tmp_path/"large", "neoHookean", 0.1)
+    assert "has not yielded" in log(tmp_path/"elastic", "HenckyVonMises", 0.01)
+
+
+def test_step_above_the_limit(tmp_path):
+    warning = "steps may be unstable"
+    assert warning in log(tmp_path/"long", "neoHookean", 0.01, maxCo=1.2)
+    assert warning not in log(tmp_path/"short", "neoHookean", 0.01, maxCo=1)
+
+
+def test_linear_law_blows_up(tmp_path):
+    """Numbers of a linear law stay finite for very long."""
+    case = SmallCase(tmp_path/"case", Body(
+        cells=(20,), material=ELASTIC, velocity=lambda X: 0.01*X), 50,
+        control={"maxCo": 3})
+    code, output = case.attempt()
+    assert code == 1 and "The state is not finite" in output, output
+
+
+def test_surface_goes_through(tmp_path):
+    """Rubber bars that meet with 0.9 of their wave speed: c_p of the
+    undeformed material is too slow there."""
+    result = mach(tmp_path/"case", "40x8", "linear", 0.9)
+    assert result.outcome == STOPPED
+    assert "gone through" in result.why, result.why
+
+
+@pytest.mark.parametrize("reconstruction", ("full", "linear"))
+def test_gain_of_energy(tmp_path, reconstruction):
+    """A block of few cells turns twelve times: full gains energy there."""
+    _, cp, _ = rubber(0.3)
+    omega = 0.2*cp
+    case = SmallCase(tmp_path/"case", Body(
+        cells=(3, 3, 3), scheme={"reconstruction": reconstruction},
+        velocity=lambda X: np.cross((0, 0, omega), X - 0.5)),
+        24*np.pi/omega, control={"maxCo": 0.6})
+    code, output = case.attempt()
+    assert code == 0, output
+    E = case.totalEnergy
+    gains = np.max(E - np.minimum.accumulate(E)) > 0.02*E[0]
+    assert gains == (reconstruction == "full")
+    assert ("of its energy from the fluxes" in output) == gains
