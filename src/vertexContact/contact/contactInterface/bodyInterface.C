@@ -247,7 +247,7 @@ void Foam::bodyInterface::solve(const scalar, const bool firstStage)
         );
         p.gap = (vector(m[9], m[10], m[11]) - x) & p.n;
         setTouching(p, opposed, closed_[o], over.depth, waveSpeed);
-        if (closed_[o] && opposed && p.gap < -over.depth)
+        if (closed_[o] && opposed && p.gap < -lostDepth*over.depth)
         {
             lose(minus_, over.minus.corner[0], -p.gap, over.depth);
         }
