@@ -52,6 +52,7 @@ def test_linear_law_blows_up(tmp_path):
         control={"maxCo": 3})
     code, output = case.attempt()
     assert code == 1 and "The state is not finite" in output, output
+    assert "region body, node at" in output, output
 
 
 def test_surface_goes_through(tmp_path):

@@ -809,6 +809,13 @@ Foam::label Foam::solidBody::findBadNode() const
             if (!(detF > 0)) return a;
             if (data_.state.solvesJ && !(data_.state.J[a] > 0)) return a;
         }
+        else
+        {
+            for (label k = 0; k < d*d; ++k)
+            {
+                if (!(mag(data_.state.F[a*d*d + k]) < largestLinearF)) return a;
+            }
+        }
     }
     return -1;
 }

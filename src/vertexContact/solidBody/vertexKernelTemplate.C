@@ -634,10 +634,9 @@ label vertexKernelTemplate<D, nSJ, R, finite>::advanceNodes
         }
         else if constexpr (kinematics)
         {
-            // Linear laws stay finite for very long
             for (int k = 0; k < nP; ++k)
             {
-                good = good && mag(next.F[a*nP + k]) < 1e6;
+                good = good && mag(next.F[a*nP + k]) < largestLinearF;
             }
         }
         if (!good) ++nBad;
