@@ -45,8 +45,12 @@ SCENES = {
                                    "cells": "4x4", "steps": 20000}),
     "rest, clamped": (settling, {"on": "clamp", "friction": 0, "cells": "4x4",
                                  "steps": 20000}),
-    "rotation": (spin, {"cells": "3x3x3", "reconstruction": "linear",
-                        "revolutions": 10}),
+    **{f"{turns} turns, {cells}, {reconstruction}": (spin, {
+        "cells": cells, "reconstruction": reconstruction,
+        "revolutions": turns})
+        for turns, cells, reconstruction in (
+            (10, "3x3x3", "linear"), (20, "3x3x3", "full"),
+            (15, "6x6", "full"))},
     "vibration": (vibration, {
         "cells": "4x4", "reconstruction": "full", "timeIntegrator": "TVDRK2",
         "steps": 20000})}

@@ -657,7 +657,10 @@ void Foam::solidBody::finishRates
     if (angularMomentum_.active())
     {
         powers_.numericalDissipation +=
-            angularMomentum_.correct(data_, dt, angularSums, energy);
+            angularMomentum_.correct
+            (
+                data_, dt, angularSums, energy || keepsReserve()
+            );
     }
 
     addBodyForces(time, energy);

@@ -136,6 +136,7 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
     const scalar halfZs = 0.5*d.dissipation*d.rho*d.cs;
     const scalar perZp = 0.5/(d.rho*d.cp);
     scalar dissipation = 0;
+    const lanes feedShare = lanes{} + d.feedShare;
 
     // Rows of an edge: components of v and SigmaJ, of a column, of gradients
     constexpr int wU = rowWidth(D + nSJ);
@@ -454,10 +455,22 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
         for (int i = 0; i < D; ++i)
         {
             dissipative[i] = waveC*(halfZs*jump[i] + jumpN*n[i]);
-            if constexpr (full)
+            if constexpr (full) dissipative[i] += tCorrection[i];
+        }
+
+        // What feeds energy: as far as there is a reserve (dissipationReserve)
+        if constexpr (full)
+        {
+            const lanes keep = select
+            (
+                dot(vCorrection, tDifference) < lanes{},
+                feedShare,
+                lanes{} + scalar(1)
+            );
+            for (int i = 0; i < D; ++i)
             {
+                vCorrection[i] *= keep;
                 vAvg[i] += vCorrection[i];
-                dissipative[i] += tCorrection[i];
             }
         }
 

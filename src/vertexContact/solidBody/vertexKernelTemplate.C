@@ -346,13 +346,15 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxes
 
     const auto run = [&](auto limiter)
     {
-        if (energy)
+        // The reserve of full reconstruction needs the dissipation
+        constexpr auto type = decltype(limiter)::value;
+        if constexpr (full)
         {
-            fluxLoop<decltype(limiter)::value, true>(d);
+            fluxLoop<type, true>(d);
         }
         else
         {
-            fluxLoop<decltype(limiter)::value, false>(d);
+            energy ? fluxLoop<type, true>(d) : fluxLoop<type, false>(d);
         }
     };
 
@@ -387,10 +389,17 @@ scalar vertexKernelTemplate<D, nSJ, R, finite>::addBoundaryFluxes
     const bool energy
 ) const
 {
-    return
-        energy
-      ? boundaryFluxLoop<true>(d, patch, c)
-      : boundaryFluxLoop<false>(d, patch, c);
+    if constexpr (full)
+    {
+        return boundaryFluxLoop<true>(d, patch, c);
+    }
+    else
+    {
+        return
+            energy
+          ? boundaryFluxLoop<true>(d, patch, c)
+          : boundaryFluxLoop<false>(d, patch, c);
+    }
 }
 
 

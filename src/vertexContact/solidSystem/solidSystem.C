@@ -167,24 +167,30 @@ void Foam::solidSystem::evaluate(const scalar time, const int stage)
     // One message for all bodies
     const scalar dt =
         integrator_.shiftsArms(stage) ? runTime_.deltaTValue() : 0;
-    constexpr label n = angularMomentumProjection::nSums;
     bool sums = false;
     forAll(bodies_, i)
     {
-        bodies_[i].computeFluxes(energiesOn_, dt, angularSums_.data() + n*i);
-        sums = sums || bodies_[i].correctsAngularMomentum();
+        scalar* mine = sums_.data() + nSums*i;
+        bodies_[i].computeFluxes(energiesOn_, dt, mine);
+        mine[atDissipated] = dissipated_[i];
+        sums =
+            sums || bodies_[i].correctsAngularMomentum()
+         || (stage == 0 && bodies_[i].keepsReserve());
     }
     if (sums && Pstream::parRun())
     {
-        Pstream::listCombineGather(angularSums_, plusEqOp<scalar>());
-        Pstream::listCombineScatter(angularSums_);
+        Pstream::listCombineGather(sums_, plusEqOp<scalar>());
+        Pstream::listCombineScatter(sums_);
     }
     forAll(bodies_, i)
     {
-        bodies_[i].finishRates
-        (
-            time, energiesOn_, dt, angularSums_.cdata() + n*i
-        );
+        const scalar* all = sums_.cdata() + nSums*i;
+        bodies_[i].finishRates(time, energiesOn_, dt, all);
+        if (stage == 0 && bodies_[i].keepsReserve())
+        {
+            bodies_[i].addToReserve(all[atDissipated]);
+            dissipated_[i] = 0;
+        }
     }
 }
 
@@ -195,9 +201,13 @@ void Foam::solidSystem::account(const int stage)
     forAll(bodies_, i)
     {
         const solidBody::powers& p = bodies_[i].stagePowers();
-        accounts_[i].numericalDissipation += dt*p.numericalDissipation;
-        accounts_[i].external += dt*p.external;
-        accounts_[i].contact += dt*p.contact;
+        dissipated_[i] += dt*p.numericalDissipation;
+        if (energiesOn_)
+        {
+            accounts_[i].numericalDissipation += dt*p.numericalDissipation;
+            accounts_[i].external += dt*p.external;
+            accounts_[i].contact += dt*p.contact;
+        }
     }
     for (contactInterface& contact : interfaces_)
     {
@@ -406,6 +416,7 @@ void Foam::solidSystem::stopStep
     {
         bodies_[i].restoreOld();
         accounts_[i] = oldAccounts_[i];
+        dissipated_[i] = 0;
         bodies_[i].contact().status = oldStatus_[i];
     }
     forAll(interfaces_, i)
@@ -657,10 +668,8 @@ Foam::solidSystem::solidSystem(Time& runTime)
     oldStatus_.setSize(bodies_.size());
     oldImpulses_.setSize(interfaces_.size());
     initialEnergy_.setSize(bodies_.size(), scalar(0));
-    angularSums_.setSize
-    (
-        bodies_.size()*angularMomentumProjection::nSums, scalar(0)
-    );
+    sums_.setSize(bodies_.size()*nSums, scalar(0));
+    dissipated_.setSize(bodies_.size(), scalar(0));
     readAccounts(record);
     maxEnergyRise_ =
         runTime.controlDict().getOrDefault<scalar>("maxEnergyRise", 0);

@@ -160,6 +160,20 @@ void Foam::solidSystem::readAccounts(const dictionary& dict)
             }
             const dictionary& body = dict.subDict(key);
             initialEnergy_[i] = body.get<scalar>("initialEnergy");
+            if (bodies_[i].keepsReserve() && body.found("reserve"))
+            {
+                bodies_[i].setReserve
+                (
+                    dissipationReserve
+                    (
+                        body.get<FixedList<scalar, 3>>("reserve")
+                    )
+                );
+                if (Pstream::master())
+                {
+                    dissipated_[i] = body.get<scalar>("dissipated");
+                }
+            }
             if (Pstream::master())
             {
                 accounts_[i].numericalDissipation =
@@ -411,8 +425,14 @@ bool Foam::solidSystem::writeData(Ostream& os) const
             << "    plasticDissipation " << e[i].plasticDissipation
             << ';' << nl
             << "    externalWork " << e[i].externalWork << ';' << nl
-            << "    contactWork " << e[i].contactWork << ';' << nl
-            << '}' << nl;
+            << "    contactWork " << e[i].contactWork << ';' << nl;
+        if (bodies_[i].keepsReserve())
+        {
+            text<< "    reserve " << bodies_[i].reserve().values() << ';' << nl
+                << "    dissipated "
+                << returnReduce(dissipated_[i], sumOp<scalar>()) << ';' << nl;
+        }
+        text<< '}' << nl;
     }
     for (const contactInterface& contact : interfaces_)
     {

@@ -266,7 +266,7 @@ CASES = {case.name: case for case in (
     bars("dissimilar", "two dissimilar bars"),
     TradeCase(
         "rings", "rings", "ringCollision", base="10", meshes=("5", "20"),
-        finest="40", region="ring1", point=(0.04, 0, 0), axis=0,
+        finest="30", region="ring1", point=(0.04, 0, 0), axis=0,
         sides=(("rings", "ring1.outer"),),
         choices={"pairing": "matching"}, more=({"pairing": "nearestFace"},)),
     TradeCase(
