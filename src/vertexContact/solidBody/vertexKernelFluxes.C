@@ -134,7 +134,8 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
     const label nEdges = d.dual.nEdges();
     const scalar halfZp = 0.5*d.dissipation*d.rho*d.cp;
     const scalar halfZs = 0.5*d.dissipation*d.rho*d.cs;
-    const scalar perZp = 0.5/(d.rho*d.cp);
+    const scalar zp = d.rho*d.cp;
+    const scalar perZp = 0.5/zp;
     scalar dissipation = 0;
     const lanes feedShare = lanes{} + d.feedShare;
 
@@ -461,12 +462,12 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
         // What feeds energy: as far as there is a reserve (dissipationReserve)
         if constexpr (full)
         {
-            const lanes keep = select
+            const lanes gained = dot(vCorrection, tDifference)/
             (
-                dot(vCorrection, tDifference) < lanes{},
-                feedShare,
-                lanes{} + scalar(1)
+                waveC*zp*dot(vCorrection, vCorrection) + VSMALL
             );
+            const lanes one = lanes{} + scalar(1);
+            const lanes keep = min(one, max(feedShare, one + 10*gained));
             for (int i = 0; i < D; ++i)
             {
                 vCorrection[i] *= keep;

@@ -670,6 +670,16 @@ Foam::solidSystem::solidSystem(Time& runTime)
     initialEnergy_.setSize(bodies_.size(), scalar(0));
     sums_.setSize(bodies_.size()*nSums, scalar(0));
     dissipated_.setSize(bodies_.size(), scalar(0));
+    scalar energy = 0;
+    for (const solidBody& body : bodies_)
+    {
+        energy += body.kineticEnergy() + body.strainEnergy();
+    }
+    reduce(energy, sumOp<scalar>());
+    for (solidBody& body : bodies_)
+    {
+        body.setReserve(dissipationReserve(energy));
+    }
     readAccounts(record);
     maxEnergyRise_ =
         runTime.controlDict().getOrDefault<scalar>("maxEnergyRise", 0);

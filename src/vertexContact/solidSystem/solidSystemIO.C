@@ -166,7 +166,7 @@ void Foam::solidSystem::readAccounts(const dictionary& dict)
                 (
                     dissipationReserve
                     (
-                        body.get<FixedList<scalar, 3>>("reserve")
+                        body.get<FixedList<scalar, 4>>("reserve")
                     )
                 );
                 if (Pstream::master())

@@ -31,12 +31,12 @@ TEST_CASE("dissipation fills the reserve to its limit", "[solidBody][serial]")
     dissipationReserve reserve;
     reserve.add(2);
     CHECK(reserve.share() == 1);
-    CHECK(reserve.values()[2] == Approx(2*part));
+    CHECK(reserve.values()[3] == Approx(2*part));
 
     // Half of it is fed
     reserve.add(-part);
     CHECK(reserve.share() == Approx(0.5));
-    CHECK(reserve.values()[1] == 2);
+    CHECK(reserve.values()[2] == 2);
 
     // More than all: it has to be made good for
     reserve.add(-3*part);
@@ -45,6 +45,17 @@ TEST_CASE("dissipation fills the reserve to its limit", "[solidBody][serial]")
     CHECK(reserve.share() == Approx(0).margin(1e-12));
     reserve.add(part);
     CHECK(reserve.share() == Approx(0.5));
+}
+
+
+TEST_CASE("round-off fills no reserve", "[solidBody][serial]")
+{
+    dissipationReserve reserve(1e4);
+    reserve.add(9e-7);
+    CHECK(reserve.share() == 0);
+    reserve.add(1);
+    CHECK(reserve.share() == 1);
+    CHECK(dissipationReserve(reserve.values()).share() == 1);
 }
 
 
