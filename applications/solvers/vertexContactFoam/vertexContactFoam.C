@@ -14,6 +14,14 @@ Description
     Jacobian, with an acoustic Riemann solver for fluxes and contact.
 
 Usage
+    \b vertexContactFoam [OPTION]
+
+      - \par -listMaterials, -listContactLaws, -listPairings,
+        -listBoundaryConditions, -listBodyForces, -listSchemes, -listPresets,
+        -listIntegrators, -listFunctionObjects
+        List what may be written in a case, with units, defaults and meaning,
+        and end. No case is needed (modelLists).
+
     \verbatim
         blockMesh -region bar1 && blockMesh -region bar2
         vertexContactFoam
@@ -28,6 +36,7 @@ Usage
 #include "Time.H"
 #include "solidSystem.H"
 #include "writtenTimes.H"
+#include "modelLists.H"
 
 using namespace Foam;
 
@@ -37,10 +46,23 @@ int main(int argc, char *argv[])
 {
     argList::addNote
     (
-        "Explicit large-strain contact dynamics of deformable bodies"
+        "Explicit large-strain contact dynamics of deformable bodies.\n"
+        "Reads system/controlDict, constant/regionProperties, "
+        "constant/contactProperties, constant/g, and of each region "
+        "constant/<region>/polyMesh, mechanicalProperties and bodyForces, "
+        "system/<region>/fvSchemes and 0/<region>/pointU.\n"
+        "The options -list... say what may be written there; the README of "
+        "vertexContact and the headers of its classes say more."
     );
+    modelLists::addOptions();
 
     #include "setRootCase.H"
+
+    if (modelLists::write(args, Info))
+    {
+        return 0;
+    }
+
     writtenTimes::setAsideIncomplete(args);
     #include "createTime.H"
 
