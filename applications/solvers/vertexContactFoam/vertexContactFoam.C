@@ -16,6 +16,14 @@ Description
 Usage
     \b vertexContactFoam [OPTION]
 
+      - \par -dry-run
+        Read everything and make the first step, as a run does, report memory,
+        step, number of steps and about how long a run takes, and end. Nothing
+        is written into the case, and no time is renamed. The time of a step is
+        that of steps which are tried for a second: an estimate is too low
+        where bodies that are still apart will touch, where deformation makes
+        steps shorter, and by what it takes to write.
+
       - \par -listMaterials, -listContactLaws, -listPairings,
         -listBoundaryConditions, -listBodyForces, -listSchemes, -listPresets,
         -listIntegrators, -listFunctionObjects
@@ -24,6 +32,7 @@ Usage
 
     \verbatim
         blockMesh -region bar1 && blockMesh -region bar2
+        vertexContactFoam -dry-run
         vertexContactFoam
         mpirun -np 2 vertexContactFoam -parallel
     \endverbatim
@@ -54,6 +63,12 @@ int main(int argc, char *argv[])
         "The options -list... say what may be written there; the README of "
         "vertexContact and the headers of its classes say more."
     );
+    argList::addBoolOption
+    (
+        "dry-run",
+        "Read the case and report what is modelled, memory, step, number of "
+        "steps and estimated run time; write nothing"
+    );
     modelLists::addOptions();
 
     #include "setRootCase.H"
@@ -63,11 +78,32 @@ int main(int argc, char *argv[])
         return 0;
     }
 
-    writtenTimes::setAsideIncomplete(args);
+    const bool dry = args.found("dry-run");
+    word start;
+    if (dry)
+    {
+        start = writtenTimes::latestComplete(args);
+    }
+    else
+    {
+        writtenTimes::setAsideIncomplete(args);
+    }
+
     #include "createTime.H"
+    if (start.size())
+    {
+        runTime.setTime(instant(readScalar(start), start), 0);
+    }
 
     solidSystem solids(runTime);
     solids.report(Info);
+
+    if (dry)
+    {
+        solids.dryRun(Info);
+        Info<< "End" << nl << endl;
+        return 0;
+    }
 
     while (runTime.run())
     {

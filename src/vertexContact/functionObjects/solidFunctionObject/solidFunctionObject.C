@@ -56,7 +56,11 @@ Foam::functionObjects::solidFunctionObject::openFile
 {
     autoPtr<OFstream> os;
 
-    if (Pstream::master())
+    if (solids_.dry())
+    {
+        if (Pstream::master()) os.reset(new OFstream("/dev/null"));
+    }
+    else if (Pstream::master())
     {
         const fileName dir
         (
