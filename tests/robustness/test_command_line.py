@@ -78,7 +78,7 @@ def test_dry_run_reports(case):
     assert number(r"\nStep: (\S+) s at the start", case.output) > 0
     assert number(r"\nTrial: (\d+) steps", case.output) > 0
     assert number(r"\nRun time: about (\S+) s", case.output) > 0
-    assert "without the time to write 4 times" in case.output
+    assert "without the time to write 4 times, " in case.output
 
 
 @pytest.mark.parametrize("control", [

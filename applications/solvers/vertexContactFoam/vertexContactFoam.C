@@ -22,7 +22,11 @@ Usage
         is written into the case, and no time is renamed. The time of a step is
         that of steps which are tried for a second: an estimate is too low
         where bodies that are still apart will touch, where deformation makes
-        steps shorter, and by what it takes to write.
+        steps shorter, and by what it takes to write. Of coarse tutorials, the
+        rings took 1.12 times the estimate with 1.01 times the steps; the
+        Taylor bar, which ends with much shorter steps, 2.7 times the estimate
+        (1.6 times that for a step that goes on falling) with 2.5 times the
+        steps; two bars, whose number of steps is exact, 1.3 s instead of 0.8.
 
       - \par -listMaterials, -listContactLaws, -listPairings,
         -listBoundaryConditions, -listBodyForces, -listSchemes, -listPresets,

@@ -151,6 +151,8 @@ void Foam::solidSystem::dryRun(OSstream& os)
     const scalar deltaT = runTime_.deltaTValue();
     const scalar stable = timeStepLimit_;
     const scalar steps = stepsToEnd(deltaT);
+    const bool adjusts =
+        runTime_.controlDict().getOrDefault("adjustTimeStep", true);
     endStep();
 
     // At most as many steps for each look at the clock as there were before:
@@ -194,13 +196,23 @@ void Foam::solidSystem::dryRun(OSstream& os)
     if (tried)
     {
         const scalar perStep = seconds/tried;
-        os  << "Trial: " << tried << " steps in " << seconds << " s, "
-            << 1e6*perStep << " us a step; then, at time " << runTime_.value()
-            << " s, a step is " << runTime_.deltaTValue() << " s" << nl
+        os  << "Trial: " << tried << " steps to time " << runTime_.value()
+            << " s in " << seconds << " s, " << 1e6*perStep << " us a step"
+            << nl
             << "Run time: about " << readingSeconds + steps*perStep
-            << " s, of which " << readingSeconds << " s to read" << nl
-            << "    as long as steps stay as long and as costly; without the "
-            << "time to write";
+            << " s, of which " << readingSeconds << " s to read" << nl;
+
+        // Steps per time that grow evenly, as in the trial
+        const scalar more =
+            0.5*(stable/timeStepLimit_ - 1)*(end - startOfRun_)
+           /(runTime_.value() - startOfRun_);
+        if (adjusts && more > 0.02)
+        {
+            os  << "    " << readingSeconds + steps*(1 + more)*perStep
+                << " s if the stable step goes on falling: by "
+                << 100*(1 - timeStepLimit_/stable) << " % in the trial" << nl;
+        }
+        os  << "    without the time to write";
         if (fittedInterval() < GREAT)
         {
             os  << ' '
@@ -213,7 +225,7 @@ void Foam::solidSystem::dryRun(OSstream& os)
                    )
                 << " times";
         }
-        os  << nl;
+        os  << ", and what costs more later: contact, plastic flow" << nl;
     }
     else
     {
