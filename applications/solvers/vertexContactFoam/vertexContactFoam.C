@@ -14,8 +14,29 @@ Description
     Jacobian, with an acoustic Riemann solver for fluxes and contact.
 
 Usage
+    \b vertexContactFoam [OPTION]
+
+      - \par -dry-run
+        Read everything and make the first step, as a run does, report memory,
+        step, number of steps and about how long a run takes, and end. Nothing
+        is written into the case, and no time is renamed. The time of a step is
+        that of steps which are tried for a second: an estimate is too low
+        where bodies that are still apart will touch, where deformation makes
+        steps shorter, and by what it takes to write. Of coarse tutorials, the
+        rings took 1.12 times the estimate with 1.01 times the steps; the
+        Taylor bar, which ends with much shorter steps, 2.7 times the estimate
+        (1.6 times that for a step that goes on falling) with 2.5 times the
+        steps; two bars, whose number of steps is exact, 1.3 s instead of 0.8.
+
+      - \par -listMaterials, -listContactLaws, -listPairings,
+        -listBoundaryConditions, -listBodyForces, -listSchemes, -listPresets,
+        -listIntegrators, -listFunctionObjects
+        List what may be written in a case, with units, defaults and meaning,
+        and end. No case is needed (modelLists).
+
     \verbatim
         blockMesh -region bar1 && blockMesh -region bar2
+        vertexContactFoam -dry-run
         vertexContactFoam
         mpirun -np 2 vertexContactFoam -parallel
     \endverbatim
@@ -28,6 +49,7 @@ Usage
 #include "Time.H"
 #include "solidSystem.H"
 #include "writtenTimes.H"
+#include "modelLists.H"
 
 using namespace Foam;
 
@@ -37,15 +59,55 @@ int main(int argc, char *argv[])
 {
     argList::addNote
     (
-        "Explicit large-strain contact dynamics of deformable bodies"
+        "Explicit large-strain contact dynamics of deformable bodies.\n"
+        "Reads system/controlDict, constant/regionProperties, "
+        "constant/contactProperties, constant/g, and of each region "
+        "constant/<region>/polyMesh, mechanicalProperties and bodyForces, "
+        "system/<region>/fvSchemes and 0/<region>/pointU.\n"
+        "The options -list... say what may be written there; the README of "
+        "vertexContact and the headers of its classes say more."
     );
+    argList::addBoolOption
+    (
+        "dry-run",
+        "Read the case and report what is modelled, memory, step, number of "
+        "steps and estimated run time; write nothing"
+    );
+    modelLists::addOptions();
 
     #include "setRootCase.H"
-    writtenTimes::setAsideIncomplete(args);
+
+    if (modelLists::write(args, Info))
+    {
+        return 0;
+    }
+
+    const bool dry = args.found("dry-run");
+    word start;
+    if (dry)
+    {
+        start = writtenTimes::latestComplete(args);
+    }
+    else
+    {
+        writtenTimes::setAsideIncomplete(args);
+    }
+
     #include "createTime.H"
+    if (start.size())
+    {
+        runTime.setTime(instant(readScalar(start), start), 0);
+    }
 
     solidSystem solids(runTime);
     solids.report(Info);
+
+    if (dry)
+    {
+        solids.dryRun(Info);
+        Info<< "End" << nl << endl;
+        return 0;
+    }
 
     while (runTime.run())
     {

@@ -115,6 +115,16 @@ void Foam::dictionaryCheck::onlyKeywords
 }
 
 
+void Foam::dictionaryCheck::onlyKeywords
+(
+    const dictionary& dict,
+    const keywordList& valid
+)
+{
+    onlyKeywords(dict, valid.names());
+}
+
+
 Foam::scalar Foam::dictionaryCheck::readNumber
 (
     const dictionary& dict,

@@ -58,4 +58,25 @@ Foam::preset::preset(const dictionary& controlDict)
 {}
 
 
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::keywordList Foam::preset::keywords() const
+{
+    return
+    {
+        {
+            "maxCo", "-", Foam::name(maxCo),
+            "step, as a share of the largest one that information allows"
+        },
+        {
+            "timeIntegrator", "", timeIntegrator::names[integrator],
+            keywordList::oneOf
+            (
+                timeIntegrator::names.toc(), "two, three, one flux a step"
+            )
+        }
+    };
+}
+
+
 // ************************************************************************* //

@@ -28,6 +28,12 @@ Foam::schemeOptions::limiterNames
 });
 
 
+const Foam::wordList Foam::schemeOptions::waveSpeedNames
+({
+    "linear", "stretched"
+});
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::schemeOptions::schemeOptions
@@ -46,15 +52,7 @@ Foam::schemeOptions::schemeOptions
     using namespace dictionaryCheck;
 
     const dictionary& dict = fvSchemes.subDict("vertexCentred");
-    onlyKeywords
-    (
-        dict,
-        wordList
-        ({
-            "cells", "reconstruction", "limiter", "kinematics", "jacobian",
-            "preserveAngularMomentum", "waveSpeed", "dissipation"
-        })
-    );
+    onlyKeywords(dict, keywords());
 
     cells = readEnum(medianDual::cellTreatmentNames, dict, "cells", cells);
     reconstruction =
@@ -85,20 +83,84 @@ Foam::schemeOptions::schemeOptions
     if (dict.found("waveSpeed"))
     {
         const word speed(dict.get<word>("waveSpeed"));
-        if (speed != "linear" && speed != "stretched")
+        if (!waveSpeedNames.found(speed))
         {
-            unknownModel
-            (
-                dict, "waveSpeed", speed, wordList({"linear", "stretched"})
-            );
+            unknownModel(dict, "waveSpeed", speed, waveSpeedNames);
         }
-        stretchedWaves = (speed == "stretched");
+        stretchedWaves = (speed == waveSpeedNames[true]);
     }
 
     if (reconstruction == reconstructionType::none)
     {
         limiter = limiterType::none;
     }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::keywordList Foam::schemeOptions::keywords() const
+{
+    const auto oneOf = [](const auto& names, const char* meaning)
+    {
+        return keywordList::oneOf(names.toc(), meaning);
+    };
+
+    return
+    {
+        {
+            "cells", "", medianDual::cellTreatmentNames[cells],
+            oneOf
+            (
+                medianDual::cellTreatmentNames,
+                "mean of the splits of quads and hexes, one split, mesh edges"
+            )
+        },
+        {
+            "reconstruction", "", reconstructionNames[reconstruction],
+            oneOf
+            (
+                reconstructionNames,
+                "first order, velocity in the traction jump, all"
+            )
+        },
+        {
+            "limiter", "", limiterNames[limiter],
+            oneOf(limiterNames, "along each edge")
+        },
+        {
+            "kinematics", "", conservedState::kinematicSetNames[kinematics],
+            oneOf
+            (
+                conservedState::kinematicSetNames,
+                "geometric conservation laws that are solved"
+            )
+        },
+        {
+            "jacobian", "", materialModel::jacobianFormNames[jacobian],
+            oneOf
+            (
+                materialModel::jacobianFormNames,
+                "isochoric stress from F alone, or as printed in the paper"
+            )
+        },
+        {
+            "preserveAngularMomentum", "", preserveAngularMomentum
+          ? "yes" : "no",
+            "internal forces without torque"
+        },
+        {
+            "waveSpeed", "", waveSpeedNames[stretchedWaves],
+            keywordList::oneOf
+            (
+                waveSpeedNames, "of the undeformed material, or the stretched"
+            )
+        },
+        {
+            "dissipation", "-", Foam::name(dissipation),
+            "share of that of the momentum at edges, above 0 and at most 1"
+        }
+    };
 }
 
 

@@ -139,8 +139,9 @@ const Foam::solidBoundaryCondition& Foam::solidBody::condition
             << "Keyword 'boundaryField': patch '" << pf.patch().name()
             << "' has the boundary condition '" << pf.type()
             << "', which is not one of a solid." << nl
-            << "Valid conditions: (contact fixedVelocity pressure slip "
-            << "symmetryPlane traction tractionFree)" << exit(FatalIOError);
+            << "Valid conditions: "
+            << dictionaryCheck::listed(solidBoundaryCondition::names()).c_str()
+            << exit(FatalIOError);
     }
 
     return *bc;

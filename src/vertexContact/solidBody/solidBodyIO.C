@@ -482,20 +482,19 @@ void Foam::solidBody::write()
 }
 
 
+std::size_t Foam::solidBody::bytes() const
+{
+    return
+        data_.bytes() + dual_.bytes() + acceleration_.size()*sizeof(scalar);
+}
+
+
 void Foam::solidBody::report(Ostream& os) const
 {
     const label d = dual_.nDim();
     const conservedState& s = data_.state;
     const label nNodes = returnReduce(dual_.nNodes(), sumOp<label>());
-    const std::size_t bytes = returnReduce
-    (
-        scalar
-        (
-            data_.bytes() + dual_.bytes()
-          + acceleration_.size()*sizeof(scalar)
-        ),
-        sumOp<scalar>()
-    );
+    const scalar allBytes = returnReduce(scalar(bytes()), sumOp<scalar>());
     const auto onOff = [](const bool on) { return on ? "on" : "off"; };
 
     dual_.report(os);
@@ -545,7 +544,7 @@ void Foam::solidBody::report(Ostream& os) const
     os  << (bodyForces_.empty() ? " off" : "")
         << ", contact " << onOff(hasContact_)
         << ", plasticity " << onOff(material_->plastic()) << nl
-        << "    " << label(scalar(bytes)/max(nNodes, label(1)))
+        << "    " << label(allBytes/max(nNodes, label(1)))
         << " bytes per node" << nl;
 }
 

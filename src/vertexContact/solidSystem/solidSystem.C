@@ -300,22 +300,33 @@ void Foam::solidSystem::complete(const int stage, const updatedPart part)
 }
 
 
-Foam::scalar Foam::solidSystem::fitToWriteTimes(const scalar deltaT) const
+Foam::scalar Foam::solidSystem::fittedInterval() const
 {
     const dictionary& control = runTime_.controlDict();
-    const scalar now = runTime_.value();
-    scalar next = runTime_.endTime().value();
-
     const word writeControl
     (
         control.getOrDefault<word>("writeControl", "timeStep")
     );
-    if (writeControl == "adjustableRunTime" || writeControl == "adjustable")
+    return
+        writeControl == "adjustableRunTime" || writeControl == "adjustable"
+      ? control.get<scalar>("writeInterval")
+      : GREAT;
+}
+
+
+Foam::scalar Foam::solidSystem::nextFitted
+(
+    const scalar now,
+    const scalar deltaT
+) const
+{
+    scalar next = runTime_.endTime().value();
+    const scalar interval = fittedInterval();
+    if (interval < GREAT)
     {
         // Times are multiples of the interval, counted from the start of the
         // run as Time does; from zero where both are the same, so that a
         // restarted run takes the same steps to the last bit
-        const scalar interval = control.get<scalar>("writeInterval");
         const scalar start = runTime_.startTime().value();
         const scalar offset =
             mag(start/interval - std::round(start/interval)) < 1e-6
@@ -324,8 +335,14 @@ Foam::scalar Foam::solidSystem::fitToWriteTimes(const scalar deltaT) const
         const scalar k = std::floor((now - offset)/interval + slack) + 1;
         next = min(next, offset + k*interval);
     }
+    return next;
+}
 
-    const scalar remaining = next - now;
+
+Foam::scalar Foam::solidSystem::fitToWriteTimes(const scalar deltaT) const
+{
+    const scalar now = runTime_.value();
+    const scalar remaining = nextFitted(now, deltaT) - now;
     if (remaining <= 0)
     {
         return deltaT;
@@ -391,7 +408,7 @@ void Foam::solidSystem::checkTimeStep()
             [&](const solidBody& b) { return b.findNodeWithin(timeStepLimit_); }
         )
     );
-    if (runTime_.value() != startOfRun_)
+    if (runTime_.value() != startOfRun_ && !dry_)
     {
         runTime_.writeNow();
     }
@@ -429,8 +446,12 @@ void Foam::solidSystem::stopStep
     runTime_.setTime(startOfStep_, runTime_.timeIndex() - 1);
 
     // The state that the run started from is there already
-    string written("Nothing was written: this was the first step.");
-    if (startOfStep_ != startOfRun_)
+    string written
+    (
+        dry_ ? "Nothing was written: this is a dry run."
+      : "Nothing was written: this was the first step."
+    );
+    if (startOfStep_ != startOfRun_ && !dry_)
     {
         runTime_.writeNow();
         writtenTimes::check(*this);

@@ -33,6 +33,75 @@ bool incomplete(const fileName& time)
     return readDir(time, fileName::FILE).empty();
 }
 
+//- Find the times that are not complete in all processors' folders and deal
+//  with each on this one.
+//  \return the latest that is complete, on the master; empty if that is the
+//      latest anyway
+template<class SetAside>
+word forIncomplete(const argList& args, const SetAside& setAside)
+{
+    {
+        IFstream is(args.rootPath()/args.globalCaseName()/"system/controlDict");
+        if
+        (
+            !is.good()
+         || dictionary(is).getOrDefault<word>("startFrom", "latestTime")
+         != "latestTime"
+        )
+        {
+            return word();
+        }
+    }
+
+    const fileName path(args.path());
+    instantList times(fileHandler().findTimes(path, "constant"));
+    wordList complete, all;
+    forAll(times, i)
+    {
+        if (times[i].name() != "constant")
+        {
+            if (all.empty() || !incomplete(path/times[i].name()))
+            {
+                complete.append(times[i].name());
+            }
+            all.append(times[i].name());
+        }
+    }
+
+    // The latest that is complete wherever there are times
+    List<wordList> ofRank(Pstream::nProcs());
+    ofRank[Pstream::myProcNo()] = complete;
+    Pstream::gatherList(ofRank);
+    Pstream::scatterList(ofRank);
+    const auto everywhere = [&](const word& time)
+    {
+        for (const wordList& names : ofRank)
+        {
+            if (names.size() && !names.found(time)) return false;
+        }
+        return true;
+    };
+
+    bool any = false;
+    label latest = all.size() - 1;
+    while (latest > 0 && !everywhere(all[latest]))
+    {
+        setAside(path/all[latest]);
+        any = true;
+        --latest;
+    }
+    reduce(any, orOp<bool>());
+
+    wordList latestOf(Pstream::nProcs());
+    if (any && latest >= 0)
+    {
+        latestOf[Pstream::myProcNo()] = all[latest];
+    }
+    Pstream::gatherList(latestOf);
+    Pstream::scatterList(latestOf);
+    return latestOf[Pstream::masterNo()];
+}
+
 } // End anonymous namespace
 
 
@@ -94,55 +163,8 @@ void Foam::writtenTimes::check(const regIOobject& object)
 
 void Foam::writtenTimes::setAsideIncomplete(const argList& args)
 {
+    forIncomplete(args, [](const fileName& time)
     {
-        IFstream is(args.rootPath()/args.globalCaseName()/"system/controlDict");
-        if
-        (
-            !is.good()
-         || dictionary(is).getOrDefault<word>("startFrom", "latestTime")
-         != "latestTime"
-        )
-        {
-            return;
-        }
-    }
-
-    const fileName path(args.path());
-    instantList times(fileHandler().findTimes(path, "constant"));
-    wordList complete, all;
-    forAll(times, i)
-    {
-        if (times[i].name() != "constant")
-        {
-            if (all.empty() || !incomplete(path/times[i].name()))
-            {
-                complete.append(times[i].name());
-            }
-            all.append(times[i].name());
-        }
-    }
-
-    // The latest that is complete wherever there are times
-    List<wordList> ofRank(Pstream::nProcs());
-    ofRank[Pstream::myProcNo()] = complete;
-    Pstream::gatherList(ofRank);
-    Pstream::scatterList(ofRank);
-    const auto everywhere = [&](const word& time)
-    {
-        for (const wordList& names : ofRank)
-        {
-            if (names.size() && !names.found(time)) return false;
-        }
-        return true;
-    };
-
-    forAllReverse(all, i)
-    {
-        if (i == 0 || everywhere(all[i]))
-        {
-            break;
-        }
-        const fileName time(path/all[i]);
         if (!mvBak(time, "incomplete"))
         {
             FatalErrorInFunction
@@ -151,10 +173,23 @@ void Foam::writtenTimes::setAsideIncomplete(const argList& args)
                 << "continue from an earlier one." << exit(FatalError);
         }
         WarningInFunction
-            << "Time " << all[i] << " is not complete (was the run killed, or "
-            << "the disk full?): it was renamed to " << all[i]
+            << "Time " << time.name() << " is not complete (was the run "
+            << "killed, or the disk full?): it was renamed to " << time.name()
             << ".incomplete, to continue from the latest complete one" << endl;
-    }
+    });
+}
+
+
+Foam::word Foam::writtenTimes::latestComplete(const argList& args)
+{
+    return forIncomplete(args, [](const fileName& time)
+    {
+        WarningInFunction
+            << "Time " << time.name() << " is not complete (was the run "
+            << "killed, or the disk full?): a run would rename it to "
+            << time.name() << ".incomplete, to continue from the latest "
+            << "complete one" << endl;
+    });
 }
 
 

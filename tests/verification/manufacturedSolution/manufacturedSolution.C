@@ -72,10 +72,7 @@ class manufacturedSolution
             const materialModel& material
         )
         {
-            dictionaryCheck::onlyKeywords
-            (
-                dict, wordList({"type", "amplitude", "omega"})
-            );
+            dictionaryCheck::onlyKeywords(dict, keywords());
             if (material.type() != "neoHookean")
             {
                 FatalIOErrorInFunction(dict)
@@ -180,6 +177,17 @@ public:
 
     TypeName("manufacturedSolution");
 
+    //- For the check and for vertexContactFoam -listBodyForces
+    static keywordList keywords()
+    {
+        return
+        {
+            {"type", "", "required", "manufacturedSolution"},
+            {"amplitude", "m", "required", "vector A"},
+            {"omega", "rad/s", "required", "angular frequency"}
+        };
+    }
+
     manufacturedSolution
     (
         const dictionary& dict,
@@ -208,7 +216,7 @@ public:
 
 
 defineTypeNameAndDebug(manufacturedSolution, 0);
-addToRunTimeSelectionTable(bodyForce, manufacturedSolution, dictionary);
+addListedModel(bodyForce, manufacturedSolution);
 
 } // End namespace bodyForces
 } // End namespace Foam

@@ -13,6 +13,7 @@ namespace Foam
 {
     defineTypeNameAndDebug(bodyForce, 0);
     defineRunTimeSelectionTable(bodyForce, dictionary);
+    defineModelKeywords(bodyForce);
 }
 
 

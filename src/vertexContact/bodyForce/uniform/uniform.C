@@ -42,16 +42,26 @@ class uniform
 
     static const dictionary& checked(const dictionary& dict)
     {
-        dictionaryCheck::onlyKeywords
-        (
-            dict, wordList({"type", "acceleration", "accelerationCoeffs"})
-        );
+        dictionaryCheck::onlyKeywords(dict, keywords());
         return dict;
     }
 
 public:
 
     TypeName("uniform");
+
+    static keywordList keywords()
+    {
+        return
+        {
+            {"type", "", "required", "uniform"},
+            {
+                "acceleration", "m/s2", "required",
+                "vector, or any Function1 of time"
+            },
+            {"accelerationCoeffs", "", "none", "coefficients of the Function1"}
+        };
+    }
 
     uniform
     (
@@ -81,7 +91,7 @@ public:
 
 
 defineTypeNameAndDebug(uniform, 0);
-addToRunTimeSelectionTable(bodyForce, uniform, dictionary);
+addListedModel(bodyForce, uniform);
 
 } // End namespace bodyForces
 } // End namespace Foam

@@ -28,7 +28,7 @@ class contactBoundary
 {
 public:
 
-    static wordList keywords() { return wordList(); }
+    static keywordList keywords() { return keywordList(); }
 
     contactBoundary() = default;
 

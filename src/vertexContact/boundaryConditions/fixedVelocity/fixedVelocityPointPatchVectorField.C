@@ -36,7 +36,16 @@ class fixedVelocityBoundary
 
 public:
 
-    static wordList keywords() { return wordList({"velocity"}); }
+    static keywordList keywords()
+    {
+        return
+        {
+            {
+                "velocity", "m/s", "required",
+                "vector, or any Function1 of time"
+            }
+        };
+    }
 
     fixedVelocityBoundary() = default;
 

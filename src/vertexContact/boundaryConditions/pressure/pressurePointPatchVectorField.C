@@ -34,7 +34,16 @@ class pressureBoundary
 
 public:
 
-    static wordList keywords() { return wordList({"pressure"}); }
+    static keywordList keywords()
+    {
+        return
+        {
+            {
+                "pressure", "Pa", "required",
+                "on the current surface, number or any Function1 of time"
+            }
+        };
+    }
 
     pressureBoundary() = default;
 

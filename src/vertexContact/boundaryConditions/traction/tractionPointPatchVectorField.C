@@ -34,7 +34,16 @@ class tractionBoundary
 
 public:
 
-    static wordList keywords() { return wordList({"traction"}); }
+    static keywordList keywords()
+    {
+        return
+        {
+            {
+                "traction", "Pa", "required",
+                "per reference area, vector or any Function1 of time"
+            }
+        };
+    }
 
     tractionBoundary() = default;
 

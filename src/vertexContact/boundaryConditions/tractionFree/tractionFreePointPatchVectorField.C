@@ -27,7 +27,7 @@ class tractionFreeBoundary
 {
 public:
 
-    static wordList keywords() { return wordList(); }
+    static keywordList keywords() { return keywordList(); }
 
     tractionFreeBoundary() = default;
 

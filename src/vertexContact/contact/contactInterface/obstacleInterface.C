@@ -17,10 +17,7 @@ Foam::contactSide Foam::obstacleInterface::readSide
     PtrList<solidBody>& bodies
 )
 {
-    dictionaryCheck::onlyKeywords
-    (
-        dict, wordList({"side", "obstacle", "motion", "law"})
-    );
+    dictionaryCheck::onlyKeywords(dict, keywords());
     return findSide(dict, "side", dict.get<Pair<word>>("side"), bodies);
 }
 
@@ -111,6 +108,18 @@ Foam::obstacleInterface::obstacleInterface
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::keywordList Foam::obstacleInterface::keywords()
+{
+    return
+    {
+        {"side", "", "required", "region and patch"},
+        {"obstacle", "", "required", "dictionary of a searchableSurface"},
+        {"motion", "", "at rest", "dictionary of a solidBodyMotionFunction"},
+        {"law", "", "frictionless", "dictionary of the contact law"}
+    };
+}
+
 
 Foam::List<Foam::contactSide> Foam::obstacleInterface::sides() const
 {

@@ -13,6 +13,7 @@ namespace Foam
 {
     defineTypeNameAndDebug(contactLaw, 0);
     defineRunTimeSelectionTable(contactLaw, dictionary);
+    defineModelKeywords(contactLaw);
 }
 
 

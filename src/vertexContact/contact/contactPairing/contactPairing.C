@@ -14,6 +14,7 @@ namespace Foam
 {
     defineTypeNameAndDebug(contactPairing, 0);
     defineRunTimeSelectionTable(contactPairing, dictionary);
+    defineModelKeywords(contactPairing);
 }
 
 
@@ -124,12 +125,22 @@ Foam::vector Foam::contactPairing::gapDirection(const dictionary& dict) const
 void Foam::contactPairing::checkKeywords
 (
     const dictionary& dict,
-    const wordList& own
+    const keywordList& own
 )
 {
-    wordList valid({"sides", "pairing", "transfer", "law"});
-    valid.append(own);
-    dictionaryCheck::onlyKeywords(dict, valid);
+    dictionaryCheck::onlyKeywords(dict, commonKeywords() + own);
+}
+
+
+Foam::keywordList Foam::contactPairing::directionKeywords()
+{
+    return
+    {
+        {
+            "direction", "-", "mean normals",
+            "vector along the gap, from the first side to the second"
+        }
+    };
 }
 
 
@@ -146,6 +157,27 @@ Foam::contactPairing::contactPairing
     minusCorners_(numberOfCorners(minus)),
     plusCorners_(numberOfCorners(plus))
 {}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::keywordList Foam::contactPairing::commonKeywords()
+{
+    return
+    {
+        {"sides", "", "required", "two pairs of region and patch"},
+        {"pairing", "", "matching", "which parts of the sides are opposite"},
+        {
+            "transfer", "", "conservative",
+            keywordList::oneOf
+            (
+                wordList({"conservative", "twoWay"}),
+                "one force an overlap, or the paper's mapping"
+            )
+        },
+        {"law", "", "frictionless", "dictionary of the contact law"}
+    };
+}
 
 
 // * * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * //

@@ -13,7 +13,7 @@ namespace Foam
 namespace functionObjects
 {
     defineTypeNameAndDebug(contactForces, 0);
-    addToRunTimeSelectionTable(functionObject, contactForces, dictionary);
+    addSolidFunctionObject(contactForces);
 }
 }
 
@@ -30,7 +30,7 @@ Foam::functionObjects::contactForces::contactForces
     solidFunctionObject(name, runTime, dict),
     files_(solids_.interfaces().size())
 {
-    checkKeywords(dict, wordList());
+    checkKeywords(dict, keywords());
 
     forAll(files_, i)
     {

@@ -14,7 +14,7 @@ namespace Foam
 namespace functionObjects
 {
     defineTypeNameAndDebug(pointProbes, 0);
-    addToRunTimeSelectionTable(functionObject, pointProbes, dictionary);
+    addSolidFunctionObject(pointProbes);
 }
 }
 
@@ -76,6 +76,15 @@ Foam::List<Foam::scalar> Foam::functionObjects::pointProbes::values
 }
 
 
+Foam::wordList Foam::functionObjects::pointProbes::fieldNames()
+{
+    return wordList
+    ({
+        "pointU", "pointD", "lm", "F", "J", "sigma", "sigmaEq", "pressure"
+    });
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::functionObjects::pointProbes::pointProbes
@@ -89,7 +98,7 @@ Foam::functionObjects::pointProbes::pointProbes
     body_(nullptr),
     fields_(dict.get<wordList>("fields"))
 {
-    checkKeywords(dict, wordList({"points", "fields"}));
+    checkKeywords(dict, keywords());
 
     // The body
     wordList regions;
@@ -112,11 +121,7 @@ Foam::functionObjects::pointProbes::pointProbes
     body_ = &solids_.bodies()[bodyi];
 
     // The fields
-    const wordList valid
-    ({
-        "pointU", "pointD", "lm", "F", "J", "sigma", "sigmaEq",
-        "pressure"
-    });
+    const wordList valid(fieldNames());
     for (const word& field : fields_)
     {
         if (!valid.found(field))
@@ -187,6 +192,19 @@ Foam::functionObjects::pointProbes::pointProbes
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::keywordList Foam::functionObjects::pointProbes::keywords()
+{
+    return
+    {
+        {"points", "m", "required", "places in the reference mesh"},
+        {
+            "fields", "", "required",
+            keywordList::oneOf(fieldNames(), "list of names")
+        }
+    };
+}
+
 
 bool Foam::functionObjects::pointProbes::write()
 {

@@ -13,7 +13,7 @@ namespace Foam
 namespace functionObjects
 {
     defineTypeNameAndDebug(solidEnergies, 0);
-    addToRunTimeSelectionTable(functionObject, solidEnergies, dictionary);
+    addSolidFunctionObject(solidEnergies);
 }
 }
 
@@ -29,7 +29,7 @@ Foam::functionObjects::solidEnergies::solidEnergies
 :
     solidFunctionObject(name, runTime, dict)
 {
-    checkKeywords(dict, wordList());
+    checkKeywords(dict, keywords());
     solids_.accountEnergies();
 
     energies_ = openFile("energies.dat");

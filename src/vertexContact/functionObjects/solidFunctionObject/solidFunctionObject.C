@@ -9,6 +9,17 @@
 #include "Time.H"
 #include "OSspecific.H"
 
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace functionObjects
+{
+    defineModelKeywords(solidFunctionObject);
+}
+}
+
+
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace
@@ -45,7 +56,11 @@ Foam::functionObjects::solidFunctionObject::openFile
 {
     autoPtr<OFstream> os;
 
-    if (Pstream::master())
+    if (solids_.dry())
+    {
+        if (Pstream::master()) os.reset(new OFstream("/dev/null"));
+    }
+    else if (Pstream::master())
     {
         const fileName dir
         (
@@ -74,18 +89,10 @@ Foam::functionObjects::solidFunctionObject::openFile
 void Foam::functionObjects::solidFunctionObject::checkKeywords
 (
     const dictionary& dict,
-    const wordList& specific
+    const keywordList& specific
 ) const
 {
-    wordList valid
-    ({
-        "type", "libs", "functionObjectLibs", "enabled", "log", "region",
-        "timeStart", "timeEnd", "executeControl", "executeInterval",
-        "writeControl", "writeInterval", "controlMode", "errors",
-        "useNamePrefix"
-    });
-    valid.append(specific);
-    dictionaryCheck::onlyKeywords(dict, valid);
+    dictionaryCheck::onlyKeywords(dict, commonKeywords() + specific);
 }
 
 
@@ -102,6 +109,32 @@ Foam::functionObjects::solidFunctionObject::solidFunctionObject
     runTime_(runTime),
     solids_(findSolids(runTime, dict))
 {}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::keywordList
+Foam::functionObjects::solidFunctionObject::commonKeywords()
+{
+    return
+    {
+        {"type", "", "required", "name of the function object"},
+        {"libs", "", "none", "libraries; (vertexContact) is loaded already"},
+        {"functionObjectLibs", "", "none", "libs, in older releases"},
+        {"enabled", "", "yes", "no: leave it out"},
+        {"log", "", "yes", "of OpenFOAM, without effect"},
+        {"region", "", "the only one", "name of the body"},
+        {"timeStart", "s", "start", "nothing is done before"},
+        {"timeEnd", "s", "end", "nothing is done afterwards"},
+        {"executeControl", "", "timeStep", "when it executes, as writeControl"},
+        {"executeInterval", "-", "1", "of executeControl"},
+        {"writeControl", "", "timeStep", "when a row is written"},
+        {"writeInterval", "-", "1", "of writeControl"},
+        {"controlMode", "", "time", "of OpenFOAM's time control"},
+        {"errors", "", "default", "of OpenFOAM, what an error does"},
+        {"useNamePrefix", "", "no", "of OpenFOAM, without effect"}
+    };
+}
 
 
 // ************************************************************************* //

@@ -14,7 +14,7 @@
 namespace Foam
 {
     defineTypeNameAndDebug(HenckyVonMises, 0);
-    addToRunTimeSelectionTable(materialModel, HenckyVonMises, dictionary);
+    addListedModel(materialModel, HenckyVonMises);
 }
 
 
@@ -327,15 +327,7 @@ Foam::HenckyVonMises::HenckyVonMises
     const jacobianForm
 )
 :
-    materialModel
-    (
-        dict,
-        wordList
-        ({
-            "tauY", "Hardening", "hardeningCurve", "maxStrain", "JohnsonCook",
-            "hardeningCurveCoeffs"
-        })
-    )
+    materialModel(dict, keywords())
 {
     const label given =
         label(dict.found("tauY")) + label(dict.found("hardeningCurve"))
@@ -373,6 +365,27 @@ Foam::HenckyVonMises::HenckyVonMises
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::keywordList Foam::HenckyVonMises::keywords()
+{
+    const keywordList own
+    ({
+        {"tauY", "Pa", "one of three", "yield stress, with a straight line"},
+        {"Hardening", "Pa", "0", "slope of the yield stress, with tauY"},
+        {
+            "hardeningCurve", "Pa", "one of three",
+            "yield stress, Function1 of the equivalent plastic strain"
+        },
+        {"hardeningCurveCoeffs", "", "none", "coefficients of the Function1"},
+        {"maxStrain", "-", "3", "end of a hardeningCurve that is no table"},
+        {
+            "JohnsonCook", "", "one of three",
+            "dictionary: (A + B strain^n)(1 + C ln(rate/referenceRate))"
+        }
+    });
+    return own + hardening::JohnsonCook::keywords().within("JohnsonCook");
+}
+
 
 Foam::scalar Foam::HenckyVonMises::yieldStress(const scalar strain) const
 {

@@ -80,7 +80,7 @@ Foam::hardening::JohnsonCook::JohnsonCook(const dictionary& dict)
 {
     using namespace dictionaryCheck;
 
-    onlyKeywords(dict, wordList({"A", "B", "n", "C", "referenceRate"}));
+    onlyKeywords(dict, keywords());
     A = readNumber(dict, "A", dimPressure);
     B = readNumber(dict, "B", dimPressure);
     n = readNumber(dict, "n", dimless);
@@ -95,6 +95,19 @@ Foam::hardening::JohnsonCook::JohnsonCook(const dictionary& dict)
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::keywordList Foam::hardening::JohnsonCook::keywords()
+{
+    return
+    {
+        {"A", "Pa", "required", "yield stress at first, above 0"},
+        {"B", "Pa", "required", "factor of strain^n, at least 0"},
+        {"n", "-", "required", "exponent of the plastic strain, above 0"},
+        {"C", "-", "required", "factor of the rate, at least 0"},
+        {"referenceRate", "1/s", "1", "strain rate without effect"}
+    };
+}
+
 
 Foam::label Foam::hardening::table::part(const scalar strain) const
 {

@@ -14,6 +14,7 @@ namespace Foam
 {
     defineTypeNameAndDebug(materialModel, 0);
     defineRunTimeSelectionTable(materialModel, dictionary);
+    defineModelKeywords(materialModel);
 }
 
 const Foam::Enum<Foam::jacobianForm>
@@ -29,14 +30,12 @@ Foam::materialModel::jacobianFormNames
 Foam::materialModel::materialModel
 (
     const dictionary& dict,
-    const wordList& specific
+    const keywordList& specific
 )
 {
     using namespace dictionaryCheck;
 
-    wordList valid({"type", "rho", "E", "nu", "mu", "lambda", "kappa"});
-    valid.append(specific);
-    onlyKeywords(dict, valid);
+    onlyKeywords(dict, commonKeywords() + specific);
 
     rho_ = readNumber(dict, "rho", dimDensity);
     require(rho_ > 0, dict, "rho", rho_, "positive");
@@ -123,6 +122,21 @@ Foam::autoPtr<Foam::materialModel> Foam::materialModel::New
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::keywordList Foam::materialModel::commonKeywords()
+{
+    return
+    {
+        {"type", "", "required", "name of the law"},
+        {"rho", "kg/m3", "required", "density in the reference configuration"},
+        {"E", "Pa", "with nu", "Young's modulus"},
+        {"nu", "-", "with E", "Poisson's ratio"},
+        {"mu", "Pa", "if not E, nu", "shear modulus"},
+        {"lambda", "Pa", "with mu", "Lame's first parameter"},
+        {"kappa", "Pa", "with mu", "bulk modulus, instead of lambda"}
+    };
+}
+
 
 Foam::scalar Foam::materialModel::cp() const
 {

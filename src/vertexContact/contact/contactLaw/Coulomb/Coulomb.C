@@ -38,11 +38,20 @@ public:
 
     TypeName("Coulomb");
 
+    //- Of its own
+    static keywordList keywords()
+    {
+        return
+        {
+            {"frictionCoeff", "-", "required", "at least 0"}
+        };
+    }
+
     explicit Coulomb(const dictionary& dict)
     {
         dictionaryCheck::onlyKeywords
         (
-            dict, wordList({"type", "frictionCoeff"})
+            dict, commonKeywords() + keywords()
         );
         k_ = dictionaryCheck::readNumber(dict, "frictionCoeff", dimless);
         dictionaryCheck::require
@@ -67,7 +76,7 @@ public:
 
 
 defineTypeNameAndDebug(Coulomb, 0);
-addToRunTimeSelectionTable(contactLaw, Coulomb, dictionary);
+addListedModel(contactLaw, Coulomb);
 
 } // End namespace contactLaws
 } // End namespace Foam

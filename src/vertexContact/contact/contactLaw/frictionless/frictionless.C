@@ -30,9 +30,12 @@ public:
 
     TypeName("frictionless");
 
+    //- Of its own
+    static keywordList keywords() { return keywordList(); }
+
     explicit frictionless(const dictionary& dict)
     {
-        dictionaryCheck::onlyKeywords(dict, wordList({"type"}));
+        dictionaryCheck::onlyKeywords(dict, commonKeywords());
     }
 
     virtual void solve(UList<problem>& problems) const
@@ -56,7 +59,7 @@ public:
 
 
 defineTypeNameAndDebug(frictionless, 0);
-addToRunTimeSelectionTable(contactLaw, frictionless, dictionary);
+addListedModel(contactLaw, frictionless);
 
 } // End namespace contactLaws
 } // End namespace Foam

@@ -30,9 +30,12 @@ public:
 
     TypeName("tied");
 
+    //- Of its own
+    static keywordList keywords() { return keywordList(); }
+
     explicit tied(const dictionary& dict)
     {
-        dictionaryCheck::onlyKeywords(dict, wordList({"type"}));
+        dictionaryCheck::onlyKeywords(dict, commonKeywords());
     }
 
     virtual void solve(UList<problem>& problems) const
@@ -50,7 +53,7 @@ public:
 
 
 defineTypeNameAndDebug(tied, 0);
-addToRunTimeSelectionTable(contactLaw, tied, dictionary);
+addListedModel(contactLaw, tied);
 
 } // End namespace contactLaws
 } // End namespace Foam

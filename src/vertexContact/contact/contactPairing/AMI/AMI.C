@@ -19,7 +19,7 @@ namespace Foam
 namespace contactPairings
 {
     defineTypeNameAndDebug(AMI, 0);
-    addToRunTimeSelectionTable(contactPairing, AMI, dictionary);
+    addListedModel(contactPairing, AMI);
 }
 }
 
@@ -146,7 +146,7 @@ Foam::contactPairings::AMI::AMI
 :
     contactPairing(minus, plus)
 {
-    checkKeywords(dict, wordList({"direction"}));
+    checkKeywords(dict, keywords());
     const vector direction(gapDirection(dict));
 
     const medianDual& dual = minus.body->dual();

@@ -18,7 +18,7 @@ namespace Foam
 namespace contactPairings
 {
     defineTypeNameAndDebug(matching, 0);
-    addToRunTimeSelectionTable(contactPairing, matching, dictionary);
+    addListedModel(contactPairing, matching);
 }
 }
 
@@ -102,7 +102,7 @@ Foam::contactPairings::matching::matching
 :
     contactPairing(minus, plus)
 {
-    checkKeywords(dict, wordList({"direction"}));
+    checkKeywords(dict, keywords());
     const vector direction(gapDirection(dict));
 
     // Corners of both sides in the plane across the gap

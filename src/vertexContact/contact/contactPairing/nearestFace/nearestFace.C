@@ -21,7 +21,7 @@ namespace Foam
 namespace contactPairings
 {
     defineTypeNameAndDebug(nearestFace, 0);
-    addToRunTimeSelectionTable(contactPairing, nearestFace, dictionary);
+    addListedModel(contactPairing, nearestFace);
 }
 }
 
@@ -32,6 +32,10 @@ namespace
 {
 
 using namespace Foam;
+
+//- The default of updateDistance, and its largest value [-]
+constexpr scalar usualDistance = 0.1;
+constexpr scalar largestDistance = 0.4;
 
 boundBox boxOf(const contactFace& f)
 {
@@ -206,14 +210,14 @@ Foam::contactPairings::nearestFace::nearestFace
     minusMotion_(minus),
     plusMotion_(plus)
 {
-    checkKeywords(dict, wordList({"updateDistance"}));
+    checkKeywords(dict, keywords());
     updateDistance_ = dictionaryCheck::readNumberOrDefault
     (
-        dict, "updateDistance", dimless, 0.1
+        dict, "updateDistance", dimless, usualDistance
     );
     dictionaryCheck::require
     (
-        updateDistance_ > 0 && updateDistance_ <= 0.4,
+        updateDistance_ > 0 && updateDistance_ <= largestDistance,
         dict, "updateDistance", updateDistance_, "positive and at most 0.4"
     );
 
@@ -240,6 +244,19 @@ Foam::contactPairings::nearestFace::nearestFace
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::keywordList Foam::contactPairings::nearestFace::keywords()
+{
+    return
+    {
+        {
+            "updateDistance", "-", Foam::name(usualDistance),
+            "face widths a node may move until they are paired again, at most "
+          + Foam::name(largestDistance)
+        }
+    };
+}
+
 
 bool Foam::contactPairings::nearestFace::outdated(const scalar time)
 {

@@ -1,0 +1,45 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "solidBoundaryCondition.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    defineModelKeywords(solidBoundaryCondition);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::wordList Foam::solidBoundaryCondition::mirrorNames()
+{
+    return wordList({"slip", "symmetryPlane", "symmetry", "empty"});
+}
+
+
+Foam::wordList Foam::solidBoundaryCondition::names()
+{
+    wordList all(keywordsOfModelMemberFunctionTablePtr_->toc());
+    all.append(mirrorNames());
+    Foam::sort(all);
+    return all;
+}
+
+
+Foam::keywordList Foam::solidBoundaryCondition::commonKeywords()
+{
+    return
+    {
+        {"type", "", "required", "name of the condition"},
+        {"patchType", "", "none", "of OpenFOAM, for patches with a constraint"},
+        {"value", "m/s", "none", "not used: the velocity is a result"}
+    };
+}
+
+
+// ************************************************************************* //

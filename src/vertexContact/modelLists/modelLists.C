@@ -1,0 +1,334 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "modelLists.H"
+#include "argList.H"
+#include "IFstream.H"
+#include "dlLibraryTable.H"
+#include "dictionaryCheck.H"
+#include "preset.H"
+#include "bodyForce.H"
+#include "contactLaw.H"
+#include "contactPairing.H"
+#include "obstacleInterface.H"
+#include "solidBoundaryCondition.H"
+#include "solidFunctionObject.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+void writeHeading(Ostream& os, const char* what)
+{
+    os  << what << nl << nl;
+}
+
+void writeKeywords(Ostream& os, const char* of, const keywordList& keywords)
+{
+    os  << of << nl;
+    keywords.write(os);
+    os  << nl;
+}
+
+//- Names, and below each its own keywords
+template<class Table>
+void writeModels(Ostream& os, const wordList& names, const Table& keywordsOf)
+{
+    for (const word& name : names)
+    {
+        os  << name << nl;
+        if (keywordsOf.found(name))
+        {
+            keywordsOf[name]().write(os);
+        }
+        else
+        {
+            os  << "    (its keywords are not described)" << nl;
+        }
+    }
+    os  << nl;
+}
+
+//- Models of a base class that has the usual tables
+template<class Base>
+void writeModels(Ostream& os)
+{
+    writeModels
+    (
+        os,
+        Base::dictionaryConstructorTablePtr_->sortedToc(),
+        *Base::keywordsOfModelMemberFunctionTablePtr_
+    );
+}
+
+
+void listMaterials(Ostream& os)
+{
+    writeHeading
+    (
+        os, "Materials: 'type' in constant/<region>/mechanicalProperties"
+    );
+    writeKeywords
+    (
+        os, "all, with one of the pairs (E nu), (mu lambda), (mu kappa)",
+        materialModel::commonKeywords()
+    );
+    writeModels<materialModel>(os);
+}
+
+
+void listContactLaws(Ostream& os)
+{
+    writeHeading
+    (
+        os,
+        "Contact laws: dictionary 'law' of an interface in "
+        "constant/contactProperties"
+    );
+    writeKeywords(os, "all", contactLaw::commonKeywords());
+    writeModels<contactLaw>(os);
+}
+
+
+void listPairings(Ostream& os)
+{
+    writeHeading
+    (
+        os,
+        "Pairings: 'pairing' of an interface in constant/contactProperties"
+    );
+    writeKeywords(os, "all", contactPairing::commonKeywords());
+    writeModels<contactPairing>(os);
+    writeKeywords
+    (
+        os, "an interface with an obstacle instead",
+        obstacleInterface::keywords()
+    );
+    os  << "'type' of an obstacle (searchableSurface of OpenFOAM)" << nl
+        << "    "
+        << dictionaryCheck::listed
+           (
+               searchableSurface::dictConstructorTablePtr_->sortedToc()
+           ).c_str()
+        << nl << nl
+        << "'solidBodyMotionFunction' of a motion (of OpenFOAM)" << nl
+        << "    "
+        << dictionaryCheck::listed
+           (
+               solidBodyMotionFunction::dictionaryConstructorTablePtr_
+             ->sortedToc()
+           ).c_str()
+        << nl << nl;
+}
+
+
+void listBoundaryConditions(Ostream& os)
+{
+    writeHeading
+    (
+        os, "Boundary conditions: 'type' of a patch in 0/<region>/pointU"
+    );
+    writeKeywords(os, "all", solidBoundaryCondition::commonKeywords());
+    const auto& keywordsOf =
+        *solidBoundaryCondition::keywordsOfModelMemberFunctionTablePtr_;
+    writeModels(os, keywordsOf.sortedToc(), keywordsOf);
+    os  << "of OpenFOAM, as mirrors or for directions that are left out" << nl
+        << "    "
+        << dictionaryCheck::listed
+           (
+               solidBoundaryCondition::mirrorNames()
+           ).c_str()
+        << nl << nl;
+}
+
+
+void listBodyForces(Ostream& os)
+{
+    writeHeading
+    (
+        os,
+        "Body forces: 'type' of each dictionary in "
+        "constant/<region>/bodyForces"
+    );
+    writeModels<bodyForce>(os);
+}
+
+
+void listSchemes(Ostream& os)
+{
+    writeHeading
+    (
+        os,
+        "Schemes: dictionary 'vertexCentred' in system/<region>/fvSchemes, "
+        "defaults of preset balanced"
+    );
+    schemeOptions().keywords().write(os);
+    os  << nl;
+}
+
+
+void listPresets(Ostream& os)
+{
+    writeHeading
+    (
+        os,
+        "Presets: 'preset' in system/controlDict; the default is balanced"
+    );
+
+    // A row for each option, a column for each preset
+    const wordList names(preset::names.toc());
+    List<keywordList> values(names.size());
+    forAll(names, i)
+    {
+        const preset p(preset::names[names[i]]);
+        values[i] = p.keywords() + p.scheme.keywords();
+    }
+    const label nOptions = values[0].all.size();
+    List<stringList> rows(nOptions + 1, stringList(names.size() + 1));
+    forAll(names, i)
+    {
+        rows[0][i + 1] = names[i];
+        for (label k = 0; k < nOptions; ++k)
+        {
+            rows[k + 1][0] = values[i].all[k].name;
+            rows[k + 1][i + 1] = values[i].all[k].deflt;
+        }
+    }
+    keywordList::writeColumns(os, rows);
+    os  << nl;
+}
+
+
+void listIntegrators(Ostream& os)
+{
+    writeHeading
+    (
+        os,
+        "Time integrators: 'timeIntegrator' in system/controlDict"
+    );
+    for (const word& name : timeIntegrator::names.toc())
+    {
+        const timeIntegrator integrator(timeIntegrator::names[name]);
+        os  << name << nl << "    fluxes are evaluated "
+            << integrator.nStages()
+            << (integrator.nStages() > 1 ? " times" : " time") << " a step"
+            << (
+                   integrator.split()
+                 ? "; for reconstruction linear and none" : ""
+               )
+            << nl;
+    }
+    os  << nl;
+}
+
+
+void listFunctionObjects(Ostream& os)
+{
+    writeHeading
+    (
+        os,
+        "Function objects of vertexContact: 'type' in 'functions' in "
+        "system/controlDict"
+    );
+    typedef functionObjects::solidFunctionObject base;
+    writeKeywords(os, "all", base::commonKeywords());
+    const auto& keywordsOf = *base::keywordsOfModelMemberFunctionTablePtr_;
+    writeModels(os, keywordsOf.sortedToc(), keywordsOf);
+}
+
+
+//- An option and what it does
+struct listOption
+{
+    const char* name;
+    const char* usage;
+    void (*write)(Ostream&);
+};
+
+const listOption options[] =
+{
+    {"listMaterials", "List materials and their keywords", listMaterials},
+    {
+        "listContactLaws", "List contact laws and their keywords",
+        listContactLaws
+    },
+    {
+        "listPairings",
+        "List pairings of an interface, obstacles, and their keywords",
+        listPairings
+    },
+    {
+        "listBoundaryConditions",
+        "List boundary conditions of pointU and their keywords",
+        listBoundaryConditions
+    },
+    {
+        "listBodyForces", "List body forces and their keywords",
+        listBodyForces
+    },
+    {
+        "listSchemes", "List keywords and values of vertexCentred (fvSchemes)",
+        listSchemes
+    },
+    {"listPresets", "List presets and what they stand for", listPresets},
+    {"listIntegrators", "List time integrators", listIntegrators},
+    {
+        "listFunctionObjects",
+        "List function objects of vertexContact and their keywords",
+        listFunctionObjects
+    }
+};
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+void Foam::modelLists::addOptions()
+{
+    for (const listOption& option : options)
+    {
+        argList::addBoolOption(option.name, option.usage);
+    }
+}
+
+
+bool Foam::modelLists::write(const argList& args, Ostream& os)
+{
+    bool any = false;
+    for (const listOption& option : options)
+    {
+        any = any || args.found(option.name);
+    }
+    if (!any)
+    {
+        return false;
+    }
+
+    // Models of the user's libraries, as Time would load them
+    dlLibraryTable libraries;
+    IFstream is(args.rootPath()/args.globalCaseName()/"system/controlDict");
+    if (is.good())
+    {
+        libraries.open(dictionary(is), "libs");
+    }
+
+    for (const listOption& option : options)
+    {
+        if (args.found(option.name))
+        {
+            option.write(os);
+        }
+    }
+    os.flush();
+    return true;
+}
+
+
+// ************************************************************************* //

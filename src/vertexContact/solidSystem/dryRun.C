@@ -1,0 +1,245 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "solidSystem.H"
+#include "solidFunctionObject.H"
+#include "dictionaryCheck.H"
+#include "timeControlFunctionObject.H"
+#include <sys/resource.h>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- Time for which steps are tried, unless the run is shorter [s]
+constexpr double trialSeconds = 1;
+
+//- Largest memory that the process has had so far [bytes]
+double largestMemory()
+{
+    rusage usage;
+    getrusage(RUSAGE_SELF, &usage);
+    #ifdef __APPLE__
+    return double(usage.ru_maxrss);
+    #else
+    return 1024*double(usage.ru_maxrss);
+    #endif
+}
+
+//- The function objects of controlDict that are of this library, and the names
+//  of others: these write when and where they like
+PtrList<functionObject> ownFunctionObjects
+(
+    const Time& runTime,
+    wordList& others
+)
+{
+    PtrList<functionObject> own;
+    const dictionary* functions =
+        runTime.controlDict().findDict("functions");
+    if (!functions || !runTime.functionObjects().status())
+    {
+        return own;
+    }
+
+    const auto& known =
+        *functionObjects::solidFunctionObject::
+        keywordsOfModelMemberFunctionTablePtr_;
+    for (const entry& e : *functions)
+    {
+        if (!e.isDict() || !e.dict().getOrDefault("enabled", true))
+        {
+            continue;
+        }
+        const dictionary& dict = e.dict();
+        const word name(e.keyword());
+        if (!known.found(dict.getOrDefault<word>("type", word::null)))
+        {
+            others.append(name);
+        }
+        else if (functionObjects::timeControl::entriesPresent(dict))
+        {
+            own.append(new functionObjects::timeControl(name, runTime, dict));
+        }
+        else
+        {
+            own.append(functionObject::New(name, runTime, dict).ptr());
+        }
+    }
+    return own;
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::solidSystem::stepsToEnd(const scalar deltaT) const
+{
+    const scalar now = runTime_.value();
+    const scalar end = runTime_.endTime().value();
+    if (!runTime_.controlDict().getOrDefault("adjustTimeStep", true))
+    {
+        // As Time::run() ends
+        return max(scalar(0), std::ceil((end - now)/deltaT - 0.5));
+    }
+
+    // Each interval between write times has steps of its own
+    const auto steps = [=](const scalar interval)
+    {
+        return
+            interval > 0
+          ? max(scalar(0), std::ceil(interval/deltaT - 1e-6))
+          : scalar(0);
+    };
+    const scalar next = nextFitted(now, deltaT);
+    const scalar interval = fittedInterval();
+    const scalar whole = std::floor((end - next)/interval + 1e-6);
+    return
+        steps(next - now) + whole*steps(interval)
+      + steps(end - next - whole*interval);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::solidSystem::dryRun(OSstream& os)
+{
+    dry_ = true;
+    const scalar readingSeconds = clock_.elapsedTime();
+
+    // The file's precision would make figures unreadable
+    const int precision = os.precision(4);
+
+    wordList others;
+    PtrList<functionObject> functions(ownFunctionObjects(runTime_, others));
+
+    const scalar end = runTime_.endTime().value();
+    const auto goesOn = [&]()
+    {
+        return runTime_.value() < end - 0.5*runTime_.deltaTValue();
+    };
+    const auto endStep = [&]()
+    {
+        ++runTime_;
+        finishStep();
+        for (functionObject& f : functions)
+        {
+            f.execute();
+            f.write();
+        }
+    };
+
+    os  << "Dry run: nothing is written" << nl << nl;
+    if (!goesOn())
+    {
+        os  << "Steps: none, time is " << runTime_.value()
+            << " s and endTime " << end << " s" << nl << endl;
+        os.precision(precision);
+        return;
+    }
+
+    // The first step: not among those that are timed, since it is the first
+    // to touch much of the memory
+    startStep();
+    const scalar deltaT = runTime_.deltaTValue();
+    const scalar stable = timeStepLimit_;
+    const scalar steps = stepsToEnd(deltaT);
+    const bool adjusts =
+        runTime_.controlDict().getOrDefault("adjustTimeStep", true);
+    endStep();
+
+    // At most as many steps for each look at the clock as there were before:
+    // ranks have to agree on the end
+    const clockTime trial;
+    double seconds = 0;
+    label tried = 0;
+    while (seconds < trialSeconds && goesOn())
+    {
+        const label several =
+            tried ? min(tried, label(trialSeconds*tried/seconds) - tried + 1)
+          : label(1);
+        for (label i = 0; i < several && goesOn(); ++i, ++tried)
+        {
+            startStep();
+            endStep();
+        }
+        seconds = returnReduce(trial.elapsedTime(), maxOp<double>());
+    }
+
+    scalar nodes = 0, bytes = 0;
+    for (const solidBody& body : bodies_)
+    {
+        nodes += body.dual().nNodes();
+        bytes += body.bytes();
+    }
+    reduce(nodes, sumOp<scalar>());
+    reduce(bytes, sumOp<scalar>());
+    const scalar resident = returnReduce(largestMemory(), sumOp<scalar>());
+    constexpr scalar MB = 1e6;
+
+    os  << "Memory: " << bytes/MB << " MB in " << std::int64_t(nodes)
+        << " nodes, " << std::int64_t(bytes/nodes + 0.5)
+        << " bytes per node; " << resident/MB << " MB at most for "
+        << (Pstream::parRun() ? "all processes" : "the process") << nl
+        << "Step: " << deltaT << " s at the start, stable are " << stable
+        << " s times maxCo" << nl
+        << "Steps: " << std::int64_t(steps) << " to time " << end
+        << " s with that step" << nl;
+
+    if (tried)
+    {
+        const scalar perStep = seconds/tried;
+        os  << "Trial: " << tried << " steps to time " << runTime_.value()
+            << " s in " << seconds << " s, " << 1e6*perStep << " us a step"
+            << nl
+            << "Run time: about " << readingSeconds + steps*perStep
+            << " s, of which " << readingSeconds << " s to read" << nl;
+
+        // Steps per time that grow evenly, as in the trial
+        const scalar more =
+            0.5*(stable/timeStepLimit_ - 1)*(end - startOfRun_)
+           /(runTime_.value() - startOfRun_);
+        if (adjusts && more > 0.02)
+        {
+            os  << "    " << readingSeconds + steps*(1 + more)*perStep
+                << " s if the stable step goes on falling: by "
+                << 100*(1 - timeStepLimit_/stable) << " % in the trial" << nl;
+        }
+        os  << "    without the time to write";
+        if (fittedInterval() < GREAT)
+        {
+            os  << ' '
+                << std::int64_t
+                   (
+                       std::floor
+                       (
+                           (end - startOfRun_)/fittedInterval() + 1e-6
+                       )
+                   )
+                << " times";
+        }
+        os  << ", and what costs more later: contact, plastic flow" << nl;
+    }
+    else
+    {
+        os  << "Run time: that of reading, " << readingSeconds
+            << " s, and of one step" << nl;
+    }
+    if (others.size())
+    {
+        os  << "Not tried: function objects "
+            << dictionaryCheck::listed(others).c_str() << nl;
+    }
+    os  << endl;
+    os.precision(precision);
+}
+
+
+// ************************************************************************* //

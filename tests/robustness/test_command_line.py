@@ -1,0 +1,310 @@
+"""Options of the command line: help, a dry run, and lists of models."""
+
+import hashlib
+import re
+import shutil
+
+import pytest
+
+import caseTools
+from caseTools import checked, execute
+from smallCases import ELASTIC, Body, SmallCase, condition, interface
+
+LISTS = {"listMaterials", "listContactLaws", "listPairings",
+         "listBoundaryConditions", "listBodyForces", "listSchemes",
+         "listPresets", "listIntegrators", "listFunctionObjects"}
+
+
+def bars(path, **control):
+    """Two linear elastic bars in a row that hit each other."""
+    touching = condition("contact")
+    return SmallCase(
+        path, [
+            Body((20,), "left", sides={"right": touching}, velocity=(1, 0, 0),
+                 material=ELASTIC),
+            Body((20,), "right", start=(1.01, 0, 0), sides={"left": touching},
+                 velocity=(-1, 0, 0), material=ELASTIC)],
+        endTime=1, interfaces={"bars": interface(("left", "right"),
+                                                 ("right", "left"))},
+        functions=("contactForces",), probes={"end": ("left", (1, 0, 0))},
+        control={"writeInterval": 0.25, **control})
+
+
+def contents(folder):
+    """All that is in a folder: files with their sums, and folders."""
+    return {str(path.relative_to(folder)):
+            hashlib.sha1(path.read_bytes()).hexdigest() if path.is_file()
+            else "folder" for path in folder.rglob("*")}
+
+
+def dryRun(case, ranks=1):
+    """Output of a dry run, which must change nothing."""
+    before = contents(case.path)
+    command = ["vertexContactFoam", "-dry-run"]
+    if ranks > 1:
+        command = ["mpirun", "-np", str(ranks), *command, "-parallel"]
+    done = execute(command, case.path)
+    assert contents(case.path) == before
+    return done
+
+
+def number(pattern, text):
+    found = re.search(pattern, text)
+    assert found, f"no '{pattern}' in\n{text}"
+    return float(found.group(1))
+
+
+def steps(output):
+    return int(number(r"\nSteps: (\d+) ", output))
+
+
+@pytest.fixture(scope="module")
+def case(tmp_path_factory):
+    """A case that is read only, and its dry run."""
+    case = bars(tmp_path_factory.mktemp("bars"))
+    done = dryRun(case)
+    assert done.returncode == 0, done.stdout
+    case.output = done.stdout
+    return case
+
+
+def test_dry_run_reports(case):
+    """What a run reports, and what it will cost."""
+    for what in ("Region left", "material linearElastic",
+                 "Interface bars: left right - right left", "\nEnd\n"):
+        assert what in case.output
+    assert number(r"(\d+) bytes per node; ", case.output) > 50
+    assert number(r"; (\S+) MB at most for the process", case.output) > 1
+    assert number(r"\nStep: (\S+) s at the start", case.output) > 0
+    assert number(r"\nTrial: (\d+) steps", case.output) > 0
+    assert number(r"\nRun time: about (\S+) s", case.output) > 0
+    assert "without the time to write 4 times, " in case.output
+
+
+@pytest.mark.parametrize("control", [
+    {}, {"writeInterval": 0.3}, {"writeInterval": 0.07},
+    {"writeControl": "timeStep", "writeInterval": 20},
+    {"adjustTimeStep": "no", "deltaT": 0.003}])
+def test_number_of_steps(tmp_path, control):
+    """Of linear elastic bars the stable step does not change: the number of
+    steps is exact."""
+    case = bars(tmp_path, **control)
+    estimated = steps(dryRun(case).stdout)
+    output = checked(["vertexContactFoam"], case.path)
+    assert estimated == steps(output)
+    if control == {}:
+        # Nothing is left to do
+        assert "\nSteps: none" in dryRun(case).stdout
+
+
+def test_dry_run_of_a_restart(tmp_path):
+    """From the latest time that is complete, without renaming another."""
+    case = bars(tmp_path)
+    checked(["vertexContactFoam"], case.path)
+    shutil.rmtree(case/"1")
+    record = case/"0.75"/"uniform"/"solidSystem"
+    record.write_bytes(record.read_bytes()[:-100])
+
+    done = dryRun(case)
+    assert done.returncode == 0, done.stdout
+    assert "Time 0.75 is not complete" in done.stdout
+    estimated = steps(done.stdout)
+
+    output = checked(["vertexContactFoam"], case.path)
+    assert (case/"0.75.incomplete").is_dir()
+    assert estimated == steps(output)
+
+
+def test_parallel_dry_run(case, tmp_path):
+    case = caseTools.Case(shutil.copytree(case.path, tmp_path/"case"))
+    serial = steps(dryRun(case).stdout)
+    case.decompose(2)
+    done = dryRun(case, ranks=2)
+    assert done.returncode == 0, done.stdout
+    assert steps(done.stdout) == serial
+    assert number(r"; (\S+) MB at most for all processes", done.stdout) > 1
+
+
+WRONG = {
+    "material": ("constant/left/mechanicalProperties", "type", "elastic",
+                 "linearElastic"),
+    "scheme": ("system/left/fvSchemes", "vertexCentred/limitter", "none",
+               "limiter"),
+    "interface": ("constant/contactProperties", "interfaces/bars/paring",
+                  "AMI", "pairing"),
+    "function object": ("system/controlDict", "functions/end/fields",
+                        ["pointX"], "pointU"),
+    "preset": ("system/controlDict", "preset", "quick", "balanced")}
+
+
+@pytest.mark.parametrize("what", WRONG)
+def test_bad_input(case, tmp_path, what):
+    """The same error as in a run."""
+    file, keyword, value, cure = WRONG[what]
+    case = caseTools.Case(shutil.copytree(case.path, tmp_path/"case"))
+    case.set(file, {keyword: value})
+    done = dryRun(case)
+    assert done.returncode != 0, done.stdout
+
+    def message(output):
+        assert len(re.findall("--> FOAM FATAL", output)) == 1, output
+        return re.search(r"(?s)--> FOAM FATAL.*?(?=\n\s*From |\Z)",
+                         output).group(0)
+
+    assert cure in message(done.stdout)
+    assert message(done.stdout) == message(
+        execute(["vertexContactFoam"], case.path).stdout)
+
+
+def listed(option, folder, *more):
+    """Output of a list, without OpenFOAM's banner."""
+    output = checked(["vertexContactFoam", f"-{option}", *more], folder)
+    return output[output.index("// * * *"):]
+
+
+def test_help(tmp_path):
+    """All options are in the help, for users and for the completion by
+    OpenFOAM's shell functions, which read -help-full."""
+    for option in "-help", "-help-full":
+        output = checked(["vertexContactFoam", option], tmp_path)
+        found = set(re.findall(r"(?m)^  -(\S+)", output))
+        assert LISTS | {"dry-run", "parallel", "case"} <= found, output
+    assert "contactProperties" in output
+
+
+# What lists the same as the error message about a word that is unknown:
+# option, file, keyword to set
+NAMES = {
+    "materials": ("listMaterials", "constant/left/mechanicalProperties",
+                  "type"),
+    "laws": ("listContactLaws", "constant/contactProperties",
+             "interfaces/bars/law/type"),
+    "pairings": ("listPairings", "constant/contactProperties",
+                 "interfaces/bars/pairing"),
+    "transfers": ("listPairings", "constant/contactProperties",
+                  "interfaces/bars/transfer"),
+    "body forces": ("listBodyForces", "constant/left/bodyForces",
+                    "shaking/type"),
+    "presets": ("listPresets", "system/controlDict", "preset"),
+    "integrators": ("listIntegrators", "system/controlDict",
+                    "timeIntegrator"),
+    "conditions": ("listBoundaryConditions", "0/left/pointU",
+                   "boundaryField/left/type"),
+    **{name: ("listSchemes", "system/left/fvSchemes", f"vertexCentred/{name}")
+       for name in ("cells", "reconstruction", "limiter", "kinematics",
+                    "jacobian", "waveSpeed")}}
+
+# Dictionaries in which a keyword is set that does not exist, and what makes
+# them those of a model
+KEYWORDS = {
+    "linearElastic": ("listMaterials", "constant/left/mechanicalProperties",
+                      "", {}),
+    "MooneyRivlin": ("listMaterials", "constant/left/mechanicalProperties", "",
+                     {"type": "MooneyRivlin"}),
+    "HenckyVonMises": ("listMaterials", "constant/left/mechanicalProperties",
+                       "", {"type": "HenckyVonMises"}),
+    "JohnsonCook": ("listMaterials", "constant/left/mechanicalProperties",
+                    "JohnsonCook/",
+                    {"type": "HenckyVonMises", "JohnsonCook": {"A": 1}}),
+    "Coulomb": ("listContactLaws", "constant/contactProperties",
+                "interfaces/bars/law/", {"interfaces/bars/law/type":
+                                         "Coulomb"}),
+    "matching": ("listPairings", "constant/contactProperties",
+                 "interfaces/bars/", {}),
+    "nearestFace": ("listPairings", "constant/contactProperties",
+                    "interfaces/bars/", {"interfaces/bars/pairing":
+                                         "nearestFace"}),
+    "obstacle": ("listPairings", "constant/contactProperties",
+                 "interfaces/wall/",
+                 {"interfaces/wall": {"side": ["left", "right"]}}),
+    "traction": ("listBoundaryConditions", "0/left/pointU",
+                 "boundaryField/left/", {"boundaryField/left/type":
+                                         "traction"}),
+    "uniform": ("listBodyForces", "constant/left/bodyForces", "shaking/", {}),
+    "vertexCentred": ("listSchemes", "system/left/fvSchemes",
+                      "vertexCentred/", {}),
+    "pointProbes": ("listFunctionObjects", "system/controlDict",
+                    "functions/end/", {})}
+
+
+@pytest.fixture
+def spoilt(case, tmp_path):
+    """A copy that has a body force, too."""
+    case = caseTools.Case(shutil.copytree(case.path, tmp_path/"case"))
+    (case/"constant"/"left"/"bodyForces").write_text(
+        "FoamFile { version 2.0; format ascii; class dictionary; "
+        "object bodyForces; }\n"
+        "shaking { type uniform; acceleration (1 0 0); }\n")
+    return case
+
+
+def valid(case):
+    """Words in parentheses of the message about an unknown one."""
+    output = execute(["vertexContactFoam", "-dry-run"], case.path).stdout
+    found = re.search(r"Valid [^:(]*: ?\n?[^(]*\(([^)]*)\)", output)
+    assert found, output
+    return found.group(1).split()
+
+
+@pytest.mark.parametrize("what", NAMES)
+def test_names(spoilt, tmp_path, what):
+    """A list has every name of the message about an unknown one."""
+    option, file, keyword = NAMES[what]
+    # A condition that OpenFOAM has, but that is not one of a solid
+    wrong = "calculated" if what == "conditions" else "xyzzy"
+    spoilt.set(file, {keyword: wrong})
+    words = set(re.findall(r"[\w/]+", listed(option, tmp_path)))
+    names = valid(spoilt)
+    assert len(names) > 1 or what == "body forces"
+    assert set(names) <= words, sorted(set(names) - words)
+
+
+@pytest.mark.parametrize("what", KEYWORDS)
+def test_keywords(spoilt, tmp_path, what):
+    """A list has every keyword of the message about an unknown one, with what
+    it means."""
+    option, file, prefix, entries = KEYWORDS[what]
+    spoilt.set(file, {**entries, f"{prefix}xyzzy": 1})
+    text = listed(option, tmp_path)
+    for keyword in valid(spoilt):
+        if what == "JohnsonCook":
+            keyword = f"JohnsonCook/{keyword}"
+        assert re.search(rf"(?m)^    {keyword} .*\S  +\S", text), keyword
+
+
+def test_presets_are_what_they_say(case, tmp_path):
+    """The columns of the presets, against what a run with them reports."""
+    rows = [line.split() for line in
+            listed("listPresets", tmp_path).splitlines() if line.strip()]
+    names = next(row for row in rows if "balanced" in row and "fast" in row
+                 and len(row) == 3)
+    table = {row[0]: dict(zip(names, row[1:])) for row in rows
+             if len(row) == 4}
+    for name in names:
+        copy = caseTools.Case(shutil.copytree(case.path, tmp_path/name))
+        copy.replace("system/controlDict", r"maxCo [^;]*;", "")
+        copy.set("system/controlDict", {"preset": name})
+        output = dryRun(copy).stdout
+        assert f"timeIntegrator {table['timeIntegrator'][name]}, " \
+            f"maxCo {table['maxCo'][name]}\n" in output
+        for option in "reconstruction", "limiter", "cells", "dissipation":
+            assert f"{option} {table[option][name]}" in output
+
+
+def test_library_of_a_user(tmp_path):
+    """Models of a library that is not ours, from the command line or from the
+    controlDict of a case."""
+    library = "manufacturedSolution"
+    checked(["wmake", "-s", "libso", f"tests/verification/{library}"],
+            caseTools.root)
+    assert library not in listed("listBodyForces", tmp_path)
+    byOption = listed("listBodyForces", tmp_path, "-lib", library)
+
+    # A folder with nothing but a controlDict
+    (tmp_path/"system").mkdir()
+    (tmp_path/"system"/"controlDict").write_text(
+        "FoamFile { version 2.0; format ascii; class dictionary; "
+        f"object controlDict; }}\nlibs ({library});\n")
+    for output in byOption, listed("listBodyForces", tmp_path):
+        assert re.search(rf"(?m)^{library}$", output), output
+        assert re.search(r"(?m)^    amplitude +\[m\]", output), output
