@@ -1,7 +1,8 @@
 /*---------------------------------------------------------------------------*\
-License
-    This file is part of vertexContact, distributed under GPL-3.0-or-later.
-
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+-------------------------------------------------------------------------------
 Application
     vertexContactUnitTests
 
@@ -10,7 +11,8 @@ Description
 
 Usage
     \verbatim
-        vertexContactUnitTests [Catch2 options] [--junit FILE] [--- OpenFOAM options]
+        vertexContactUnitTests [Catch2 options] [--junit FILE] \
+            [--- OpenFOAM options]
         mpirun -np N vertexContactUnitTests -parallel [...]
     \endverbatim
 
@@ -215,7 +217,10 @@ Foam::fileName makeScratch()
             for
             (
                 const char* entry :
-                {"ddt", "d2dt2", "grad", "div", "laplacian", "interpolation", "snGrad"}
+                {
+                    "ddt", "d2dt2", "grad", "div", "laplacian",
+                    "interpolation", "snGrad"
+                }
             )
             {
                 os  << entry << "Schemes {}\n";
@@ -360,7 +365,8 @@ int main(int argc, char* argv[])
 
     // Merge the ranks' results
     label nFailed = 0;
-    if (returnReduce(label(results.size()), maxOp<label>()) != label(results.size()))
+    const label nResults = results.size();
+    if (returnReduce(nResults, maxOp<label>()) != nResults)
     {
         std::cerr<< "other tests here than on other ranks" << std::endl;
         exitCode = 1;

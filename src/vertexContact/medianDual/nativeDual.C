@@ -1,22 +1,7 @@
 /*---------------------------------------------------------------------------*\
-  vertexContact: vertex-centred finite volumes for solids in contact
--------------------------------------------------------------------------------
-License
-    This file is part of vertexContact, an extension of OpenFOAM.
-
-    vertexContact is free software: you can redistribute it and/or modify it
-    under the terms of the GNU General Public License as published by
-    the Free Software Foundation, either version 3 of the License, or
-    (at your option) any later version.
-
-    vertexContact is distributed in the hope that it will be useful, but
-    WITHOUT ANY WARRANTY; without even the implied warranty of MERCHANTABILITY
-    or FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
-    for more details.
-
-    You should have received a copy of the GNU General Public License
-    along with vertexContact.  If not, see <http://www.gnu.org/licenses/>.
-
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "nativeDual.H"

@@ -1,7 +1,8 @@
 /*---------------------------------------------------------------------------*\
-License
-    This file is part of vertexContact, distributed under GPL-3.0-or-later.
-
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+-------------------------------------------------------------------------------
 Description
     Slip and separation, equations (21)-(26) and (40)-(49), and their choice
     by Algorithm 1: complementarity, dissipation and symmetries.
@@ -38,7 +39,11 @@ void forRandomContacts
     const label seed,
     const std::function
     <
-        void(const side&, const side&, const vector&, const scalar, const solution&)
+        void
+        (
+            const side&, const side&, const vector&, const scalar,
+            const solution&
+        )
     >& check
 )
 {
@@ -193,7 +198,11 @@ TEST_CASE("separation of two bars (21)-(24)", "[acousticRiemann][serial]")
 }
 
 
-TEST_CASE("Algorithm 1 chooses a complementary state", "[acousticRiemann][serial]")
+TEST_CASE
+(
+    "Algorithm 1 chooses a complementary state",
+    "[acousticRiemann][serial]"
+)
 {
     forRandomContacts
     (
@@ -249,7 +258,11 @@ TEST_CASE("Algorithm 1 chooses a complementary state", "[acousticRiemann][serial
 }
 
 
-TEST_CASE("nothing gives energy: interface and bodies", "[acousticRiemann][serial]")
+TEST_CASE
+(
+    "nothing gives energy: interface and bodies",
+    "[acousticRiemann][serial]"
+)
 {
     forRandomContacts
     (
@@ -274,7 +287,10 @@ TEST_CASE("nothing gives energy: interface and bodies", "[acousticRiemann][seria
                 CHECK
                 (
                     friction
-                 == Approx((1/L.zs + 1/R.zs)*(tt & (tStick - tt))).margin(100*tol)
+                 == Approx
+                    (
+                        (1/L.zs + 1/R.zs)*(tt & (tStick - tt))
+                    ).margin(100*tol)
                 );
             }
             else
@@ -362,7 +378,11 @@ TEST_CASE("no friction and unlimited friction", "[acousticRiemann][serial]")
 }
 
 
-TEST_CASE("stick and slip meet at the limit of friction", "[acousticRiemann][serial]")
+TEST_CASE
+(
+    "stick and slip meet at the limit of friction",
+    "[acousticRiemann][serial]"
+)
 {
     const vector n(0, 0, 1);
     const side L{vector(0, 0, 2), vector(1, 0, 0), 2, 1};
@@ -380,7 +400,11 @@ TEST_CASE("stick and slip meet at the limit of friction", "[acousticRiemann][ser
 }
 
 
-TEST_CASE("contact and release meet at zero trial traction", "[acousticRiemann][serial]")
+TEST_CASE
+(
+    "contact and release meet at zero trial traction",
+    "[acousticRiemann][serial]"
+)
 {
     const vector n(1, 0, 0);
     const side R{Zero, Zero, 1, 0.5};
@@ -435,7 +459,10 @@ TEST_CASE("the frame of reference does not matter", "[acousticRiemann][serial]")
             const solution& s
         )
         {
-            const tensor Q(rotation(randomNormal(random), randomScalar(random, 3)));
+            const tensor Q
+            (
+                rotation(randomNormal(random), randomScalar(random, 3))
+            );
             const vector v0(randomVector(random));
             const side L2{(Q & L.v) + v0, Q & L.t, L.zp, L.zs};
             const side R2{(Q & R.v) + v0, Q & R.t, R.zp, R.zs};

@@ -1,7 +1,8 @@
 /*---------------------------------------------------------------------------*\
-License
-    This file is part of vertexContact, distributed under GPL-3.0-or-later.
-
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+-------------------------------------------------------------------------------
 Description
     Interface states of the acoustic Riemann problem with contact-stick:
     equations (19), (20), (27)-(39) and (65) of the paper.
@@ -45,7 +46,11 @@ TEST_CASE("normal and tangential parts (27), (32)", "[acousticRiemann][serial]")
 }
 
 
-TEST_CASE("contact-stick as printed (30), (33), (34)", "[acousticRiemann][serial]")
+TEST_CASE
+(
+    "contact-stick as printed (30), (33), (34)",
+    "[acousticRiemann][serial]"
+)
 {
     Random random(2);
     for (label sample = 0; sample < nSamples; ++sample)
@@ -97,7 +102,11 @@ TEST_CASE("contact-stick as printed (30), (33), (34)", "[acousticRiemann][serial
 }
 
 
-TEST_CASE("contact-stick satisfies the jump conditions (29)", "[acousticRiemann][serial]")
+TEST_CASE
+(
+    "contact-stick satisfies the jump conditions (29)",
+    "[acousticRiemann][serial]"
+)
 {
     Random random(3);
     for (label sample = 0; sample < nSamples; ++sample)
@@ -241,7 +250,11 @@ TEST_CASE("the same material on both sides (38)", "[acousticRiemann][serial]")
 }
 
 
-TEST_CASE("rigid surface: limit of infinite impedance (39)", "[acousticRiemann][serial]")
+TEST_CASE
+(
+    "rigid surface: limit of infinite impedance (39)",
+    "[acousticRiemann][serial]"
+)
 {
     Random random(6);
     for (label sample = 0; sample < nSamples; ++sample)

@@ -1,7 +1,8 @@
 /*---------------------------------------------------------------------------*\
-License
-    This file is part of vertexContact, distributed under GPL-3.0-or-later.
-
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+-------------------------------------------------------------------------------
 Description
     Boundary conditions of pointU, made from dictionaries as a case would:
     their fluxes, (39) and (44) of the paper, their errors, and that they are
@@ -206,7 +207,10 @@ TEST_CASE("prescribed traction", "[boundaryConditions][serial]")
 TEST_CASE("pressure follows the surface", "[boundaryConditions][serial]")
 {
     const patchOfBlock block;
-    const auto field(block.make("type pressure; pressure table ((0 0) (2 8));"));
+    const auto field
+    (
+        block.make("type pressure; pressure table ((0 0) (2 8));")
+    );
     CHECK_FALSE(condition(*field).contact());
     CHECK_FALSE(condition(*field).tractionFree());
     const solved s(*field, 0.5);
@@ -224,7 +228,10 @@ TEST_CASE("prescribed velocity (39)", "[boundaryConditions][serial]")
     const patchOfBlock block;
     const auto field
     (
-        block.make("type fixedVelocity; velocity table ((0 (0 0 0)) (2 (2 4 6)));")
+        block.make
+        (
+            "type fixedVelocity; velocity table ((0 (0 0 0)) (2 (2 4 6)));"
+        )
     );
     CHECK_FALSE(condition(*field).contact());
     CHECK_FALSE(condition(*field).tractionFree());

@@ -1,7 +1,8 @@
 /*---------------------------------------------------------------------------*\
-License
-    This file is part of vertexContact, distributed under GPL-3.0-or-later.
-
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+-------------------------------------------------------------------------------
 Description
     Overlaps of two faces: areas, linear values, and fluxes that give the
     corners of the dual their loads.
@@ -20,7 +21,7 @@ namespace
 
 //- A face in the plane z, with the areas and weights of the dual: triangles,
 //  or quadrilaterals with the mean of both splits
-contactFace face
+contactFace faceOf
 (
     const std::vector<point>& x,
     const label firstCorner,
@@ -129,7 +130,8 @@ const std::vector<point> triangle
 
 TEST_CASE("Overlaps cover a face inside another one", "[contact]")
 {
-    const contactFace small(face(kite, 0, up)), large(face(triangle, 4, -up));
+    const contactFace small(faceOf(kite, 0, up));
+    const contactFace large(faceOf(triangle, 4, -up));
 
     for (const bool swapped : {false, true})
     {
@@ -163,7 +165,7 @@ TEST_CASE("Overlaps cover a face inside another one", "[contact]")
 
 TEST_CASE("Values at overlaps are exact for linear fields", "[contact]")
 {
-    const contactFace a(face(kite, 0, up)), b(face(triangle, 0, -up));
+    const contactFace a(faceOf(kite, 0, up)), b(faceOf(triangle, 0, -up));
 
     for (const contactOverlap& o : overlapsOf(a, b))
     {
@@ -201,14 +203,14 @@ TEST_CASE("Faces apart have no overlap", "[contact]")
 
     REQUIRE
     (
-        overlapsOf(face(kite, 0, up), face(aside, 4, -up)).empty()
+        overlapsOf(faceOf(kite, 0, up), faceOf(aside, 4, -up)).empty()
     );
 }
 
 
 TEST_CASE("Faces survive the transport", "[contact]")
 {
-    const contactFace f(face(kite, 12, up));
+    const contactFace f(faceOf(kite, 12, up));
     const contactFace g(contactFace::unpack(f.pack()));
 
     REQUIRE(g.size == f.size);

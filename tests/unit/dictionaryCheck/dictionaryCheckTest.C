@@ -1,7 +1,8 @@
 /*---------------------------------------------------------------------------*\
-License
-    This file is part of vertexContact, distributed under GPL-3.0-or-later.
-
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+-------------------------------------------------------------------------------
 Description
     Checks of user input, and what their messages say.
 
@@ -180,7 +181,8 @@ TEST_CASE("names of models", "[dictionaryCheck][serial]")
         {
             unknownModel
             (
-                dict, "law", "Colomb", wordList({"tied", "Coulomb", "frictionless"})
+                dict, "law", "Colomb",
+                wordList({"tied", "Coulomb", "frictionless"})
             );
         },
         {

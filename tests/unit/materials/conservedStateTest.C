@@ -1,7 +1,8 @@
 /*---------------------------------------------------------------------------*\
-License
-    This file is part of vertexContact, distributed under GPL-3.0-or-later.
-
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+-------------------------------------------------------------------------------
 Description
     conservedState holds what a scene requires, and nothing else.
 
@@ -97,7 +98,11 @@ TEST_CASE("names of the kinematic sets", "[conservedState][serial]")
 }
 
 
-TEST_CASE("the cofactor in the plane is F's, to the last bit", "[conservedState][serial]")
+TEST_CASE
+(
+    "the cofactor in the plane is F's, to the last bit",
+    "[conservedState][serial]"
+)
 {
     Random random(1);
     scalar F[2*4], H[2];
@@ -134,7 +139,11 @@ TEST_CASE("the cofactor in the plane is F's, to the last bit", "[conservedState]
 }
 
 
-TEST_CASE("the cofactor in one and three dimensions", "[conservedState][serial]")
+TEST_CASE
+(
+    "the cofactor in one and three dimensions",
+    "[conservedState][serial]"
+)
 {
     Random random(2);
     scalar F[2*9], H[2*9];

@@ -1,7 +1,8 @@
 /*---------------------------------------------------------------------------*\
-License
-    This file is part of vertexContact, distributed under GPL-3.0-or-later.
-
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+-------------------------------------------------------------------------------
 Description
     The laws in states with known stress, in the limit of small strains, and
     their constants and wave speeds (18), (31).
@@ -122,7 +123,8 @@ TEST_CASE("pure volume change", "[materials][serial]")
                 );
                 CHECK
                 (
-                    point.energy() == Approx(0.5*kappa*sqr(J - 1)).epsilon(1e-12)
+                    point.energy()
+                 == Approx(0.5*kappa*sqr(J - 1)).epsilon(1e-12)
                 );
             }
         }
@@ -206,7 +208,10 @@ TEST_CASE("linear elasticity: uniaxial strain, rotation", "[materials][serial]")
 
 TEST_CASE("parameters of Mooney-Rivlin", "[materials][serial]")
 {
-    const auto model(materialFrom("type MooneyRivlin; rho 1; E 2.5; nu 0.4; xi 0.05;"));
+    const auto model
+    (
+        materialFrom("type MooneyRivlin; rho 1; E 2.5; nu 0.4; xi 0.05;")
+    );
     const auto& law =
         dynamic_cast<const isotropicMaterial<MooneyRivlinLaw>&>(*model).law();
 
@@ -228,7 +233,8 @@ TEST_CASE("parameters of Mooney-Rivlin", "[materials][serial]")
         const auto nh(materialFrom(neo, form));
         for (label sample = 0; sample < 20; ++sample)
         {
-            materialPoint<3> a(*mr, kinematicSet::FHJ), b(*nh, kinematicSet::FHJ);
+            materialPoint<3> a(*mr, kinematicSet::FHJ);
+            materialPoint<3> b(*nh, kinematicSet::FHJ);
             a.deform(randomTensor<3>(random, 1, 0.25));
             for (scalar& h : a.s.H) h += randomScalar(random, 0.2);
             a.s.J[0] += randomScalar(random, 0.2);

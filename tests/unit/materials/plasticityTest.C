@@ -1,7 +1,8 @@
 /*---------------------------------------------------------------------------*\
-License
-    This file is part of vertexContact, distributed under GPL-3.0-or-later.
-
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+-------------------------------------------------------------------------------
 Description
     HenckyVonMises at one node: closed forms of proportional paths, unloading,
     dissipation, the yield condition after each step, equal principal
@@ -111,7 +112,11 @@ scalar exactStrain(const scalar e)
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
-TEST_CASE("principal values of random and degenerate tensors", "[materials][serial]")
+TEST_CASE
+(
+    "principal values of random and degenerate tensors",
+    "[materials][serial]"
+)
 {
     Random random(7);
     for (label sample = 0; sample < 200; ++sample)
@@ -135,7 +140,11 @@ TEST_CASE("principal values of random and degenerate tensors", "[materials][seri
 }
 
 
-TEST_CASE("principal values of several tensors are those of each", "[materials][serial]")
+TEST_CASE
+(
+    "principal values of several tensors are those of each",
+    "[materials][serial]"
+)
 {
     // In lanes some are done before others
     Random random(11);

@@ -1,7 +1,8 @@
 /*---------------------------------------------------------------------------*\
-License
-    This file is part of vertexContact, distributed under GPL-3.0-or-later.
-
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+-------------------------------------------------------------------------------
 Description
     Stress of all laws against the derivatives of their strain energy:
     equations (9)-(13) of the paper, in one, two and three dimensions.
@@ -64,7 +65,10 @@ void totalDerivative(const materialModel& model)
             const auto P = point.stress();
             for (int k = 0; k < D*D; ++k)
             {
-                CHECK(mag(P.in[k] - point.derivative(point.s.F[k], true)) <= tol);
+                CHECK
+                (
+                    mag(P.in[k] - point.derivative(point.s.F[k], true)) <= tol
+                );
             }
         }
     }
@@ -392,7 +396,8 @@ TEST_CASE("Cauchy stress (13)", "[materials][serial]")
                 const fullTensor sigma(point.Cauchy());
                 for (int i = 0; i < 3; ++i)
                 {
-                    CHECK(mag(sigma.c[i][(i + 1)%3] - sigma.c[(i + 1)%3][i]) <= 1e-13);
+                    const int j = (i + 1) % 3;
+                    CHECK(mag(sigma.c[i][j] - sigma.c[j][i]) <= 1e-13);
                 }
 
                 point.s.J[0] += randomScalar(random, 0.2);
@@ -417,7 +422,11 @@ TEST_CASE("Cauchy stress (13)", "[materials][serial]")
 }
 
 
-TEST_CASE("jacobian volumetric: SigmaJ and a lower bound", "[materials][serial]")
+TEST_CASE
+(
+    "jacobian volumetric: SigmaJ and a lower bound",
+    "[materials][serial]"
+)
 {
     Random random(50);
     for (const char* text : {neo, mooney})

@@ -1,7 +1,8 @@
 /*---------------------------------------------------------------------------*\
-License
-    This file is part of vertexContact, distributed under GPL-3.0-or-later.
-
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+-------------------------------------------------------------------------------
 Description
     Limiters of vectors in the frame of the waves: bounds, linear fields, and
     independence of the orientation of the axes.
@@ -141,10 +142,14 @@ TEST_CASE("Vector limiters do not depend on the axes", "[slopeLimiter]")
     {
         const vector3 k(randomDirection(random));
         const scalar angle = 3*randomScalar(random);
-        const auto turn = [&](const vector3& v) { return rotated(v, k, angle); };
+        const auto turn = [&](const vector3& v)
+        {
+            return rotated(v, k, angle);
+        };
 
         const vector3 n(randomDirection(random)), D(randomSolidVector(random));
-        const vector3 da(randomSolidVector(random)), db(randomSolidVector(random));
+        const vector3 da(randomSolidVector(random));
+        const vector3 db(randomSolidVector(random));
 
         vector3 a(da), b(db), aTurned(turn(da)), bTurned(turn(db));
         limitVectors<BJ>(n, D, a, b);
@@ -170,7 +175,8 @@ TEST_CASE("Limited average stays within a sixteenth and is symmetric",
     for (label sample = 0; sample < 1000; ++sample)
     {
         const vector3 n(randomDirection(random)), D(randomSolidVector(random));
-        const vector3 da(randomSolidVector(random)), db(randomSolidVector(random));
+        const vector3 da(randomSolidVector(random));
+        const vector3 db(randomSolidVector(random));
         const vector3 c(limitAverage<BJ>(n, D, da, db));
 
         CHECK(mag(dot(c, n)) <= mag(dot(D, n))/16*(1 + 1e-12));
@@ -292,7 +298,8 @@ TEST_CASE("No arithmetic error of vector limiters at the extremes",
         {
             const vector3 n(randomDirection(random));
             vector3 D(randomSolidVector(random));
-            vector3 da(randomSolidVector(random)), db(randomSolidVector(random));
+            vector3 da(randomSolidVector(random));
+            vector3 db(randomSolidVector(random));
             for (int i = 0; i < 3; ++i)
             {
                 D[i] *= scale;

@@ -1,7 +1,8 @@
 /*---------------------------------------------------------------------------*\
-License
-    This file is part of vertexContact, distributed under GPL-3.0-or-later.
-
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+-------------------------------------------------------------------------------
 Description
     Rows of components, their transposition to lanes, and roots by Newton's
     method.
@@ -31,7 +32,11 @@ TEST_CASE("lanes are transposed", "[lanes][serial]")
 }
 
 
-TEST_CASE("inverses and inverse roots are exact to the last bits", "[lanes][serial]")
+TEST_CASE
+(
+    "inverses and inverse roots are exact to the last bits",
+    "[lanes][serial]"
+)
 {
     // Mantissas and exponents of both parities, and thirds
     Random random(1);

@@ -1,7 +1,8 @@
 /*---------------------------------------------------------------------------*\
-License
-    This file is part of vertexContact, distributed under GPL-3.0-or-later.
-
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+-------------------------------------------------------------------------------
 Description
     Coefficients of the time integrators, against the Taylor series of the
     exponential function.
@@ -85,7 +86,11 @@ TEST_CASE("weights and instants of stages", "[timeIntegrator][serial]")
 }
 
 
-TEST_CASE("options of fvSchemes come before those of a preset", "[timeIntegrator][serial]")
+TEST_CASE
+(
+    "options of fvSchemes come before those of a preset",
+    "[timeIntegrator][serial]"
+)
 {
     const preset fast(preset::kind::fast);
     IStringStream is("vertexCentred { kinematics F; }");

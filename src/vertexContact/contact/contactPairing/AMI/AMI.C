@@ -8,6 +8,7 @@
 #include "contactSurface.H"
 #include "solidBody.H"
 #include "AMIPatchToPatchInterpolation.H"
+#include "faceAreaIntersect.H"
 #include "pointTree.H"
 #include "HashSet.H"
 #include "addToRunTimeSelectionTable.H"
@@ -187,27 +188,10 @@ Foam::contactPairings::AMI::AMI
         SubList<face>(target.faces, target.faces.size()), target.points
     );
 
-    // The template with its methods of v1912 became a class with a selector in
-    // v2006
-    #if defined(OPENFOAM) && (OPENFOAM >= 2006)
-    autoPtr<AMIInterpolation> ami
+    const auto ami = compat::faceAreaAMI<AMIPatchToPatchInterpolation>
     (
-        AMIInterpolation::New("faceAreaWeightAMI", false)
+        sourcePatch, targetPatch, faceAreaIntersect::tmMesh
     );
-    ami->calculate(sourcePatch, targetPatch, nullptr);
-    const label onlyProcessor =
-        Pstream::parRun() ? ami->singlePatchProc() : 0;
-    #else
-    autoPtr<AMIPatchToPatchInterpolation> ami
-    (
-        new AMIPatchToPatchInterpolation
-        (
-            sourcePatch, targetPatch, faceAreaIntersect::tmMesh, false,
-            AMIPatchToPatchInterpolation::imPartialFaceAreaWeight
-        )
-    );
-    const label onlyProcessor = ami->singlePatchProc();
-    #endif
 
     // Faces of the plus side to where the minus side is
     List<contactFace::message> messages(target.index.size());
@@ -215,10 +199,7 @@ Foam::contactPairings::AMI::AMI
     {
         messages[f] = plusFaces[target.index[f]].pack();
     }
-    if (onlyProcessor == -1)
-    {
-        ami->tgtMap().distribute(messages);
-    }
+    compat::toSource(*ami, messages);
     contactFaceList opposite(messages.size());
     forAll(messages, f)
     {

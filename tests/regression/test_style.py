@@ -1,0 +1,215 @@
+"""How the files of the repository are written: scripts, C++ sources, lists of
+files, and what the map of the source names."""
+
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from caseTools import execute, root
+
+SOURCE = root/"src"/"vertexContact"
+HEAD = "/*" + 75*"-" + """*\\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+"""
+
+
+def tracked():
+    """Files of the repository, or of a copy without git those that are not
+    made by programs."""
+    done = subprocess.run(["git", "ls-files", "-z", "--cached", "--others",
+                           "--exclude-standard"], cwd=root,
+                          capture_output=True, text=True)
+    if done.returncode == 0:
+        names = done.stdout.split("\0")[:-1]
+    else:
+        made = r"(^|/)(\.build|lnInclude|__pycache__|linux[^/]*)/"
+        names = [str(path.relative_to(root)) for path in root.rglob("*")]
+        names = [name for name in names if not re.search(made, name)]
+    return [root/name for name in sorted(names) if (root/name).is_file()]
+
+
+FILES = tracked()
+SOURCES = [file for file in FILES if file.suffix in (".C", ".H")]
+
+
+def short(file):
+    return str(file.relative_to(root))
+
+
+def where(files, bad):
+    """file:line of the lines that are bad."""
+    return [f"{short(file)}:{i}" for file in files
+            for i, line in enumerate(file.read_text().split("\n"), 1)
+            if bad(line)]
+
+
+# Scripts
+
+def isScript(file):
+    with open(file, "rb") as stream:
+        start = stream.read(4000)
+    return (re.match(rb"#! *\S*/(env )?(ba)?sh\b", start)
+            or re.search(rb"(?m)^# shellcheck shell=", start))
+
+
+def test_shellcheck():
+    if shutil.which("shellcheck") is None:
+        pytest.skip("no shellcheck; etc/setup installs it")
+    scripts = [short(file) for file in FILES
+               if file.suffix != ".py" and isScript(file)]
+    assert len(scripts) > 25
+    done = execute(["shellcheck", *scripts], root)
+    assert done.returncode == 0, done.stdout
+
+
+# Text
+
+def test_white_space():
+    text = [file for file in FILES
+            if b"\0" not in file.read_bytes() and file.stat().st_size]
+    assert where(text, lambda line: line != line.rstrip()) == []
+    assert where([file for file in text if file.suffix in (
+        ".C", ".H", ".py", ".md", ".geo")], lambda line: "\t" in line) == []
+    assert [short(file) for file in text
+            if not file.read_text().endswith("\n")] == []
+
+
+def test_columns():
+    assert where(SOURCES, lambda line: len(line) > 80) == []
+
+
+# Headers of files
+
+def test_licence():
+    assert [short(file) for file in SOURCES
+            if not file.read_text().startswith(HEAD)] == []
+
+
+def test_description():
+    """A header says what it is for, and where its sources are."""
+    bad = []
+    for file in SOURCES:
+        if file.suffix == ".H":
+            block = file.read_text().split("\\*---", 1)[0]
+            if not re.search(r"(?m)^Description\n {4}\S", block):
+                bad.append(f"{short(file)}: no Description")
+            own = file.with_suffix(".C")
+            if (file.is_relative_to(SOURCE) and own.exists()
+                    and own.name not in block):
+                bad.append(f"{short(file)}: SourceFiles without {own.name}")
+    assert bad == []
+
+
+def test_include_guards():
+    """A header is guarded by its name, with that of its family before it if
+    need be."""
+    bad = []
+    for file in SOURCES:
+        if file.suffix == ".H" and file.is_relative_to(SOURCE):
+            guard = re.search(r"(?m)^#ifndef (\w+)\n#define \1$",
+                              file.read_text())
+            if not guard or not guard[1].endswith(f"{file.stem}_H"):
+                bad.append(short(file))
+    assert bad == []
+
+
+# Make/files
+
+@pytest.mark.parametrize("files", [
+    file for file in FILES if file.parts[-2:] == ("Make", "files")], ids=short)
+def test_make_files(files):
+    """Every source that is listed is there, and every other is included."""
+    folder = files.parents[1]
+    text = re.sub(r"/\*.*?\*/", "", files.read_text(), flags=re.S)
+    listed = re.findall(r"(?m)^\s*(\S+\.C)\s*$", text)
+    assert len(listed) == len(set(listed))
+    own = {str(file.relative_to(folder)) for file in SOURCES
+           if file.suffix == ".C" and file.is_relative_to(folder)}
+    included = {name for file in SOURCES if file.is_relative_to(folder)
+                for name in re.findall(
+                    r'(?m)^#\s*include "(?:\w+/)*(\w+\.C)"',
+                    file.read_text())}
+    assert set(listed) - own == set()
+    assert {name for name in own - set(listed)
+            if Path(name).name not in included} == set()
+
+
+# The map of the source
+
+def table(title):
+    """Rows below a title of src/vertexContact/README.md, by columns."""
+    text = (SOURCE/"README.md").read_text()
+    part = text.split(f"{title}\n", 1)[1].split("\n## ", 1)[0]
+    rows = [[cell.strip() for cell in line.strip("|").split("|")]
+            for line in part.splitlines() if line.startswith("|")]
+    return rows[2:]
+
+
+def quoted(cell):
+    return re.findall(r"`([^`]+)`", cell)
+
+
+def paths(token):
+    """The files and folders that a token can mean: by path, or by name."""
+    for top in SOURCE, root, root/"tests"/"verification":
+        if (top/token).exists():
+            return [top/token]
+    if re.fullmatch(r"\w+\.[CH]", token):
+        return [file for file in SOURCES if file.name == token
+                and file.is_relative_to(SOURCE)]
+    return []
+
+
+def test_folders():
+    named = [quoted(row[0])[0] for row in table("# libvertexContact")]
+    there = {file.relative_to(SOURCE).parts[0] for file in FILES
+             if file.is_relative_to(SOURCE) and file.parent != SOURCE}
+    assert sorted(named) == sorted(there - {"Make"})
+
+
+def test_equations():
+    """Each file of the map is there, each function in one of its row's."""
+    bad = []
+    rows = table("## From the paper's equations to the source")
+    for equations, cell in rows:
+        text, functions = "", []
+        for token in quoted(cell):
+            found = paths(token)
+            if len(found) == 1:
+                text += "".join(
+                    file.read_text() for file in SOURCES
+                    if file == found[0] or found[0] in file.parents)
+            elif re.search(r"[./]", token):
+                bad.append(f"{equations}: '{token}' is {len(found)} files")
+            else:
+                functions += token.split()
+        bad += [f"{equations}: no '{name}'" for name in functions
+                if not re.search(rf"\b{name}\b", text)]
+        if not text:
+            bad.append(f"{equations}: no file")
+    assert bad == []
+
+
+def test_guide():
+    """What the guide 'To add' names is there, but for the X to be added."""
+    bad = []
+    words = "\n".join(file.read_text() for file in FILES
+                      if file.suffix in (".C", ".H", ".py"))
+    text = (SOURCE/"README.md").read_text().split("## To add\n", 1)[1]
+    # An X in a path is the new name; sources and folders are paths
+    for token in quoted(text):
+        path = re.match(r"[\w./]+", token)[0]
+        if re.search(r"(^|[/_])X", path):
+            continue
+        if re.search(r"/|\.[CH]$", path) and not paths(path):
+            bad.append(token)
+        elif not re.search(rf"\b{path}\b", words) and not paths(path):
+            bad.append(token)
+    linked = re.findall(r"\]\(([^)]+)\)", text)
+    bad += [link for link in linked if not (SOURCE/link).exists()]
+    assert bad == []
