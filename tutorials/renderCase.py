@@ -30,7 +30,9 @@ NAMES = {"epsilonPEq": "plastic strain", "pointU": "velocity",
          "lm": "linear momentum"}
 SIGNED = "pressure", "contactGap"
 PREFIXES = {-6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G"}
-VIEWS = {"oblique": drawSolids.VIEW, "z": np.eye(3),
+VIEWS = {"oblique": drawSolids.VIEW,
+         "upright": drawSolids.turn(0, -65) @ drawSolids.turn(2, -30),
+         "z": np.eye(3),
          "x": drawSolids.turn(0, -90) @ drawSolids.turn(2, -90),
          "y": drawSolids.turn(0, -90)}
 
@@ -169,8 +171,9 @@ def main():
     parser.add_argument("-t", "--times", type=float, nargs="+",
                         help="written times (default the last)")
     parser.add_argument("-v", "--view", choices=VIEWS,
-                        help="from an axis, or oblique (default z for plane "
-                        "cases, else oblique)")
+                        help="from an axis; at an angle with y upwards (oblique) "
+                        "or z (upright); default z for plane cases, else "
+                        "oblique")
     parser.add_argument("-w", "--wall", type=float,
                         help="a line at this x in the picture")
     parser.add_argument("-o", "--output", metavar="FILE",
