@@ -8,6 +8,7 @@ import subprocess
 import pytest
 
 from caseTools import checked, copyTutorials, execute
+from test_tutorials import TUTORIALS
 
 CASE = "twoBarImpact/similar"
 SETTINGS = {"MESH": "32", "PLOT": "0"}
@@ -112,6 +113,19 @@ def test_alltest(tutorials, ranks):
     assert len(rows) == (len(list(tutorials.rglob("*/Allrun")))
                          if ranks == "1" else 2)
     assert sorted(tutorials.rglob("*")) == before
+
+
+@pytest.mark.parametrize("tutorial", TUTORIALS)
+def test_options(tutorials, tmp_path, tutorial):
+    """All have the same ones, and four meshes; a wrong mesh is refused before
+    anything is run."""
+    allrun = str(tutorials/tutorial/"Allrun")
+    output = checked([allrun, "-h"], tmp_path)
+    for option in "MESH=I|II|III|IV|", "[NP=N]", "[PLOT=0]":
+        assert option in output
+    done = execute([allrun], tmp_path, MESH="V")
+    assert done.returncode != 0 and "MESH=V" in done.stdout
+    assert not list((tutorials/tutorial).glob("log.vertexContactFoam"))
 
 
 @pytest.mark.parametrize("script", (
