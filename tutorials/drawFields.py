@@ -1,12 +1,11 @@
 """Draw the deformed bodies of a plane case, coloured by a point field.
 
-pyvista reads the time folders and renders the bodies, matplotlib puts the
-panels, their labels and the colour bar together.
+VTK reads the time folders (readFields) and pyvista renders the bodies,
+matplotlib puts the panels, their labels and the colour bar together.
 """
 
 from dataclasses import dataclass
-from math import ceil, isclose
-from pathlib import Path
+from math import ceil
 
 import matplotlib
 
@@ -17,19 +16,37 @@ import numpy as np
 import pyvista
 from matplotlib.cm import ScalarMappable
 from matplotlib.collections import LineCollection
-from matplotlib.colors import Normalize
+from matplotlib.colors import ListedColormap, Normalize
 
-COLOURS = "coolwarm"    # grey, not white, in the middle
+from readFields import Reader, deformed
+
 DPI = 150
+# Grey, not white, at zero
+SIGNED = matplotlib.colormaps["coolwarm"]
+POSITIVE = ListedColormap(SIGNED(np.linspace(0.5, 1, 256)), "positive")
 
 
 @dataclass(frozen=True)
 class Field:
-    """A point field: its name, and the unit it is drawn in."""
+    """A point field: its name, and the unit it is drawn in; its component
+    (otherwise the magnitude); whether both signs count."""
 
     name: str
     label: str
     unit: float
+    component: int | None = None
+    signed: bool = True
+
+    @property
+    def colours(self):
+        return SIGNED if self.signed else POSITIVE
+
+    def values(self, body):
+        values = np.asarray(body[self.name])
+        if values.ndim == 1:
+            return values
+        return (np.linalg.norm(values, axis=1) if self.component is None
+                else values[:, self.component])
 
 
 @dataclass(frozen=True)
@@ -40,38 +57,31 @@ class Frame:
     bodies: list
 
 
-def _deformedFront(patch):
-    """The front one of the two sides of an empty patch, where it is now."""
+def frames(case, times, field, part, surface, decomposed=False):
+    """Frames of those of the times that have been written; surface(body) is
+    what is drawn of a deformed body."""
+    reader = Reader(case, decomposed)
+    if field.name not in reader.vtk.point_array_names:
+        raise FileNotFoundError(f"{case} has no {field.name} of any time")
+    found = [Frame(time, [
+        surface(deformed(body)) for body in
+        reader.read(time, part, ("pointD", field.name)).values()])
+        for time in reader.near(times)]
+    if not found:
+        raise FileNotFoundError(f"{case} has none of the times {times}")
+    return found
+
+
+def _front(patch):
+    """The front one of the two sides of an empty patch."""
     z = patch.cell_centers().points[:, 2]
     front = patch.extract_cells(z > z.mean())
-    front = front.extract_surface(algorithm="dataset_surface")
-    return front.warp_by_vector("pointD")
+    return front.extract_surface(algorithm="dataset_surface")
 
 
-def read(case, times, field, patch="frontAndBack"):
+def read(case, times, field, patch="frontAndBack", decomposed=False):
     """Frames of those of the times that have been written."""
-    case = Path(case)
-    if not any(case.glob(f"[0-9]*/*/{field.name}")):
-        raise FileNotFoundError(f"{case} has no {field.name} of any time")
-    reader = pyvista.OpenFOAMReader(str(case/"system"/"controlDict"))
-    reader.disable_all_patch_arrays()
-    for name in reader.patch_array_names:
-        if name.endswith(f"/{patch}"):
-            reader.enable_patch_array(name)
-    reader.disable_all_point_arrays()
-    for name in "pointD", field.name:
-        reader.enable_point_array(name)
-
-    frames = []
-    for written in reader.time_values:
-        if any(isclose(written, time, rel_tol=1e-6) for time in times):
-            reader.set_active_time_value(written)
-            frames.append(Frame(written, [
-                _deformedFront(region["boundary"][patch])
-                for region in reader.read()]))
-    if not frames:
-        raise FileNotFoundError(f"{case} has none of the times {times}")
-    return frames
+    return frames(case, times, field, patch, _front, decomposed)
 
 
 def box(frames, margin=0.02):
@@ -83,12 +93,13 @@ def box(frames, margin=0.02):
 
 
 def range_(frames, field, percentile=0.2):
-    """Limits of the colours, the same to both sides of zero, that all but a
-    few values in all frames are in."""
-    values = np.concatenate([b[field.name] for f in frames for b in f.bodies])
+    """Limits of the colours, the same to both sides of zero or from it, that
+    all but a few values in all frames are in."""
+    values = np.concatenate([field.values(b) for f in frames
+                             for b in f.bodies])
     limits = np.percentile(values, (percentile, 100 - percentile))
     limit = np.abs(limits).max() or 1
-    return -limit, limit
+    return -limit if field.signed else 0, limit
 
 
 def image(frame, field, limits, window, width):
@@ -98,8 +109,9 @@ def image(frame, field, limits, window, width):
     plotter = pyvista.Plotter(off_screen=True, window_size=(width, height))
     plotter.background_color = "white"
     for body in frame.bodies:
-        plotter.add_mesh(body, scalars=field.name, cmap=COLOURS, clim=limits,
-                         lighting=False, show_scalar_bar=False)
+        plotter.add_mesh(body, scalars=field.values(body), clim=limits,
+                         cmap=field.colours, lighting=False,
+                         show_scalar_bar=False)
     x, y = (xMin + xMax)/2, (yMin + yMax)/2
     plotter.camera_position = ((x, y, 1), (x, y, 0), (0, 1, 0))
     plotter.camera.parallel_projection = True
@@ -154,15 +166,38 @@ def _panels(figure, count, columns, window, width):
                          0.15, barHeight)
 
 
-def draw(file, frames, field, timeUnit, columns=1, width=8, mesh=False):
+def panel(ax, frame, field, limits, window, width, render=image,
+          outlines=True, wall=None, floor=None):
+    """The bodies at a time, rendered as width times so many pixels."""
+    ax.set(xlim=window[:2], ylim=window[2:])
+    ax.axis("off")
+    ax.imshow(render(frame, field, limits, window, width), extent=window,
+              aspect="auto", interpolation="antialiased")
+    if outlines:
+        for body in frame.bodies:
+            _addLines(ax, _outlines(body), color="black", linewidth=0.8)
+    if wall is not None:
+        ax.axvline(wall, color="black", linewidth=1.5)
+    if floor is not None:
+        ax.axhline(floor, color="black", linewidth=1.5)
+
+
+def draw(file, frames, field, timeUnit, columns=1, width=8, mesh=False,
+         render=image, outlines=True, percentile=0.2, wall=None,
+         floor=None, dpi=DPI, window=None):
     """Panels of the bodies at each time, if so wanted below one of the mesh,
     with one scale of colours.
 
     timeUnit    ("ms", 1e-3)
     width       of the figure [inch]
+    render      makes the pixels of a panel
+    percentile  of the values on either side that may be beyond the colours
+    wall, floor where in x, y a plane is that is seen edge-on
+    window      xMin, xMax, yMin, yMax of each panel (default: all bodies)
     """
     unit, value = timeUnit
-    limits, window = range_(frames, field), box(frames)
+    limits = range_(frames, field, percentile)
+    window = window or box(frames)
     contents = [(frame, kind) for frame in frames
                 for kind in (("mesh", "field") if mesh else ("field",))]
     figure = plt.figure()
@@ -173,15 +208,13 @@ def draw(file, frames, field, timeUnit, columns=1, width=8, mesh=False):
             for body in frame.bodies:
                 _addLines(ax, body.extract_all_edges(), color="0.35",
                           linewidth=0.3)
+                _addLines(ax, _outlines(body), color="black", linewidth=0.8)
         else:
             # Twice the pixels of the file, for smooth edges
-            pixels = image(frame, field, limits, window,
-                           round(2*DPI*width/columns))
-            ax.imshow(pixels, extent=window, aspect="auto",
-                      interpolation="antialiased")
-        for body in frame.bodies:
-            _addLines(ax, _outlines(body), color="black", linewidth=0.8)
-        label = f"{frame.time/value:g} {unit}"
+            panel(ax, frame, field, limits, window,
+                  round(2*dpi*width/columns), render, outlines, wall,
+                  floor)
+        label = f"{frame.time/value:.4g} {unit}"
         if columns > 1:
             ax.set_title(label, fontsize="medium", pad=2)
         else:
@@ -189,7 +222,8 @@ def draw(file, frames, field, timeUnit, columns=1, width=8, mesh=False):
                     transform=ax.transAxes)
 
     colours = ScalarMappable(
-        Normalize(*(limit/field.unit for limit in limits)), COLOURS)
-    figure.colorbar(colours, cax=bar, label=field.label, extend="both")
-    figure.savefig(file, dpi=DPI)
+        Normalize(*(limit/field.unit for limit in limits)), field.colours)
+    figure.colorbar(colours, cax=bar, label=field.label,
+                    extend="both" if field.signed else "max")
+    figure.savefig(file, dpi=dpi)
     plt.close(figure)

@@ -8,7 +8,7 @@ from caseTools import checked, copyTutorials, execute, root
 
 TUTORIALS = sorted(
     str(file.parent.relative_to(root/"tutorials"))
-    for file in (root/"tutorials").rglob("Allrun"))
+    for file in (root/"tutorials").rglob("*/Allrun"))
 
 
 def settings(tutorial):

@@ -14,7 +14,6 @@ sys.path += [str(Path(__file__).resolve().parent.parent),
              os.environ.get("VERTEXCONTACT_DIR", ".") + "/tutorials"]
 
 import numpy as np
-import pyvista
 
 import drawFields
 import drawHistories
@@ -22,6 +21,7 @@ import drawSolids
 import hertzSolution
 import readResults
 from drawHistories import plt
+from readFields import Reader
 
 MESHES = {0.28: "Mesh I", 0.21: "Mesh II", 0.14: "Mesh III", 0.105: "Mesh IV"}
 TIMES = 0.001, 0.0025, 0.004, 0.0055
@@ -54,14 +54,8 @@ def force(case):
 def tractions(case, time):
     """Distances from the axis, and normal tractions there, of the nodes of
     the lower half of sphere 1."""
-    reader = pyvista.OpenFOAMReader(str(case/"system"/"controlDict"))
-    reader.disable_all_patch_arrays()
-    reader.enable_patch_array("/sphere1/patch/surface")
-    reader.disable_all_point_arrays()
-    for name in "pointD", "contactTraction":
-        reader.enable_point_array(name)
-    reader.set_active_time_value(time)
-    surface = reader.read()["sphere1"]["boundary"]["surface"]
+    surface = Reader(case).read(
+        time, "surface", ("pointD", "contactTraction"))["sphere1"]
     lower = surface.points[:, 2] < hertzSolution.RADIUS
     x = (surface.points + surface["pointD"])[lower]
     return (np.hypot(x[:, 0], x[:, 1]),

@@ -19,7 +19,7 @@ import drawHistories
 import readResults
 from drawHistories import plt
 
-MESHES = {6: "Mesh I", 8: "Mesh II", 12: "Mesh III"}
+MESHES = {6: "Mesh I", 8: "Mesh II", 12: "Mesh III", 16: "Mesh IV"}
 TURN = 2*pi/30      # s
 
 

@@ -20,7 +20,8 @@ import drawSolids
 MESHES = {6: "Mesh I", 8: "Mesh II", 12: "Mesh III", 16: "Mesh IV"}
 TIMES = 20e-6, 40e-6, 60e-6, 80e-6
 TIME_UNIT = "µs", 1e-6
-STRAIN = drawFields.Field("epsilonPEq", "equivalent plastic strain", 1)
+STRAIN = drawFields.Field(
+    "epsilonPEq", "equivalent plastic strain", 1, signed=False)
 PRESSURE = drawFields.Field("pressure", "pressure [GPa]", 1e9)
 VIEW = drawSolids.turn(0, 8) @ drawSolids.turn(1, -150)  # onto the mirrors
 

@@ -16,7 +16,7 @@ import drawFields
 import drawHistories
 import drawSolids
 
-MESHES = {4: "Mesh I", 6: "Mesh II", 8: "Mesh III"}
+MESHES = {4: "Mesh I", 6: "Mesh II", 8: "Mesh III", 12: "Mesh IV"}
 TIMES = 0.02, 0.04, 0.06, 0.08, 0.1
 TIME_UNIT = "ms", 1e-3
 PRESSURE = drawFields.Field("pressure", "pressure [MPa]", 1e6)

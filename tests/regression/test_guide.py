@@ -1,0 +1,48 @@
+"""The guide in tutorials/README.md: its commands are run as they stand."""
+
+import re
+
+import pytest
+from PIL import Image
+
+from caseTools import checked, root
+
+GUIDE = root/"tutorials"/"README.md"
+BLOCKS = re.findall(r"(?ms)^```sh\n(.*?)^```$", GUIDE.read_text())
+BOX = "blockMesh -region"       # the block that is an alternative
+# Other versions of gmsh make other tetrahedra
+LAST = {"gmsh": (5.1, 0.3), "blockMesh": (4.74, 0.3)}
+PEAK = {"gmsh": (2.5, 0.3), "blockMesh": (3.2, 0.3)}
+
+
+def commands(mesh):
+    blocks = [b for b in BLOCKS if mesh == "blockMesh" or BOX not in b]
+    assert len(blocks) == len(BLOCKS) - (mesh != "blockMesh")
+    return "set -euo pipefail\n" + "".join(blocks)
+
+
+def number(output, label):
+    return float(re.search(rf"{label} ([-\d.e]+)", output).group(1))
+
+
+@pytest.mark.parametrize("mesh", ("gmsh", "blockMesh"))
+def test_guide(tmp_path, figures, mesh):
+    output = checked(["bash", "-c", commands(mesh)], tmp_path,
+                     OMPI_MCA_mpi_yield_when_idle="1")
+    check = (tmp_path/"log.checkContact").read_text()
+    with figures(f"guide, pad from {mesh}") as f:
+        f.equal("errors of checkContact", check.count("***"), 0)
+        first, last = (float(t) for t in re.search(
+            r"contact from ([\d.]+) to ([\d.]+) ms", output).groups())
+        f.within("first contact [ms]", first, 0.55, 0.1)
+        f.within("last contact [ms]", last, *LAST[mesh])
+        f.within("peak force [N]", number(output, "peak force"), *PEAK[mesh])
+        f.within("impulse / change of momentum",
+                 number(output, "impulse / change of momentum"), 1, 1e-6)
+        f.atMost("energy at the end / initial",
+                 number(output, "energy at the end / initial"), 1)
+        f.atMost("largest penetration / face",
+                 number(output, "largest penetration / face"), 0.1)
+    for name in "ball.png", "decomposed.png":
+        with Image.open(tmp_path/name) as image:
+            assert image.size[0] == 640

@@ -1,0 +1,138 @@
+"""The scripts for all tutorials, and the progress that Allrun shows."""
+
+import os
+import pty
+import re
+import subprocess
+
+import pytest
+
+from caseTools import checked, copyTutorials, execute
+from test_tutorials import TUTORIALS
+
+CASE = "twoBarImpact/similar"
+SETTINGS = {"MESH": "32", "PLOT": "0"}
+
+
+@pytest.fixture
+def tutorials(tmp_path):
+    return copyTutorials(tmp_path/"tutorials")
+
+
+@pytest.fixture
+def slowSolver(tmp_path):
+    """PATH with a program in the solver's place that takes four seconds, and
+    then fails if FAILS is set."""
+    folder = tmp_path/"bin"
+    folder.mkdir()
+    program = folder/"vertexContactFoam"
+    program.write_text("""#!/bin/sh
+for left in 4 3 2 1 0
+do
+    echo "Step 1$left  Time 0.1 s  contacts 0  left $left s"
+    [ $left = 0 ] || sleep 1
+done
+[ -z "${FAILS:-}" ] || { echo "--> FOAM FATAL ERROR: no luck"; exit 3; }
+""")
+    program.chmod(0o755)
+    return f"{folder}:{os.environ['PATH']}"
+
+
+def percentages(output):
+    return [int(n) for n in re.findall(r"(\d+) % done, \d+ s left", output)]
+
+
+def test_progress_in_a_log(tutorials, slowSolver):
+    case = tutorials/CASE
+    output = checked(["./Allrun"], case, **SETTINGS, PATH=slowSolver)
+    shares = percentages(output)
+    assert 1 <= len(shares) <= 9 and shares == sorted(set(shares))
+    assert "\r" not in output
+    log = (case/"log.vertexContactFoam").read_text()
+    assert len(log.splitlines()) == 5 and "done" not in log
+
+
+def test_progress_on_a_terminal(tutorials, slowSolver):
+    ours, theirs = pty.openpty()
+    with subprocess.Popen(
+            ["./Allrun"], cwd=tutorials/CASE, stdin=subprocess.DEVNULL,
+            stdout=theirs, stderr=theirs,
+            env={**os.environ, **SETTINGS, "PATH": slowSolver}) as process:
+        os.close(theirs)
+        output = b""
+        try:
+            while chunk := os.read(ours, 4096):
+                output += chunk
+        except OSError:
+            pass        # the end, on Linux
+        process.wait()
+    os.close(ours)
+    output = output.decode()
+    assert process.returncode == 0
+    assert percentages(output) and "\r" in output
+    # Nothing is left of it
+    assert output.endswith("\r\033[K")
+
+
+def test_failure_with_progress(tutorials, slowSolver):
+    done = execute(["./Allrun"], tutorials/CASE, **SETTINGS, PATH=slowSolver,
+                   FAILS="1")
+    assert done.returncode == 1
+    assert "FAILED: vertexContactFoam (exit code 3)" in done.stdout
+    assert "FOAM FATAL ERROR: no luck" in done.stdout
+    assert "done" not in done.stdout[done.stdout.index("FAILED"):]
+
+
+def test_allrun(tutorials):
+    names = "spinningCube", "twistingColumn"
+    output = checked([str(tutorials/"Allrun"), *names], tutorials.parent,
+                     MESH="2", PLOT="0")
+    table = [line.split() for line in output.splitlines()[-2:]]
+    assert [row[0] for row in table] == list(names)
+    assert all(row[2:] == ["s", "ok"] for row in table)
+    checked([str(tutorials/"Allclean")], tutorials.parent)
+    assert not list(tutorials.rglob("log.*"))
+    assert not list(tutorials.rglob("0/*/pointU"))
+
+
+def test_allrun_with_a_failure(tutorials):
+    (tutorials/"spinningCube/constant/cube/mechanicalProperties").unlink()
+    done = execute(["./Allrun", "spinningCube", "twistingColumn"], tutorials,
+                   MESH="2", PLOT="0")
+    assert done.returncode != 0
+    assert re.search(r"spinningCube +\d+ s  FAILED", done.stdout)
+    assert re.search(r"twistingColumn +\d+ s  ok", done.stdout)
+
+
+@pytest.mark.parametrize("ranks", ("1", "2"))
+def test_alltest(tutorials, ranks):
+    names = [] if ranks == "1" else [CASE, "torusImpact/elastoPlastic"]
+    before = sorted(tutorials.rglob("*"))
+    output = checked(["./Alltest", *names], tutorials, NP=ranks)
+    rows = re.findall(r"(?m)^(\S+) +\d+ s  ok$", output)
+    assert len(rows) == (len(list(tutorials.rglob("*/Allrun")))
+                         if ranks == "1" else 2)
+    assert sorted(tutorials.rglob("*")) == before
+
+
+@pytest.mark.parametrize("tutorial", TUTORIALS)
+def test_options(tutorials, tmp_path, tutorial):
+    """All have the same ones, and four meshes; a wrong mesh is refused before
+    anything is run."""
+    allrun = str(tutorials/tutorial/"Allrun")
+    output = checked([allrun, "-h"], tmp_path)
+    for option in "MESH=I|II|III|IV|", "[NP=N]", "[PLOT=0]":
+        assert option in output
+    done = execute([allrun], tmp_path, MESH="V")
+    assert done.returncode != 0 and "MESH=V" in done.stdout
+    assert not list((tutorials/tutorial).glob("log.vertexContactFoam"))
+
+
+@pytest.mark.parametrize("script", (
+    "Allrun", "Allclean", "Alltest", "makePictures", "renderCase.py",
+    f"{CASE}/Allrun"))
+def test_help(tutorials, script):
+    output = checked([str(tutorials/script), "-h"], tutorials.parent)
+    assert re.search(r"(?i)usage: .*", output)
+    done = execute([str(tutorials/script), "--nonsense"], tutorials.parent)
+    assert done.returncode != 0 and "Traceback" not in done.stdout
