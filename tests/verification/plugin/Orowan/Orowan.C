@@ -54,11 +54,21 @@ public:
 
     TypeName("Orowan");
 
+    //- Of its own
+    static keywordList keywords()
+    {
+        return
+        {
+            {"frictionCoeff", "-", "required", "at least 0"},
+            {"tauMax", "Pa", "required", "largest shear traction, at least 0"}
+        };
+    }
+
     explicit Orowan(const dictionary& dict)
     {
         using namespace dictionaryCheck;
 
-        onlyKeywords(dict, wordList({"type", "frictionCoeff", "tauMax"}));
+        onlyKeywords(dict, commonKeywords() + keywords());
         k_ = readNumber(dict, "frictionCoeff", dimless);
         require(k_ >= 0, dict, "frictionCoeff", k_, "at least 0");
         tauMax_ = readNumber(dict, "tauMax", dimPressure);
@@ -89,7 +99,7 @@ public:
 
 
 defineTypeNameAndDebug(Orowan, 0);
-addToRunTimeSelectionTable(contactLaw, Orowan, dictionary);
+addListedModel(contactLaw, Orowan);
 
 } // End namespace contactLaws
 } // End namespace Foam
