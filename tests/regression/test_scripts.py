@@ -3,7 +3,9 @@
 import os
 import pty
 import re
+import signal
 import subprocess
+import time
 
 import pytest
 
@@ -81,6 +83,24 @@ def test_failure_with_progress(tutorials, slowSolver):
     assert "FAILED: vertexContactFoam (exit code 3)" in done.stdout
     assert "FOAM FATAL ERROR: no luck" in done.stdout
     assert "done" not in done.stdout[done.stdout.index("FAILED"):]
+
+
+@pytest.mark.parametrize("number", (signal.SIGINT, signal.SIGKILL))
+def test_interrupted(tutorials, slowSolver, number):
+    """Nothing goes on that holds the output."""
+    with subprocess.Popen(
+            ["./Allrun"], cwd=tutorials/CASE, start_new_session=True,
+            stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            env={**os.environ, **SETTINGS, "PATH": slowSolver}) as process:
+        while not (tutorials/CASE/"log.vertexContactFoam").exists():
+            time.sleep(0.1)
+        if number == signal.SIGINT:
+            os.killpg(process.pid, number)
+        else:
+            process.kill()
+        process.communicate(timeout=60)
+    assert process.returncode != 0
 
 
 def test_allrun(tutorials):
