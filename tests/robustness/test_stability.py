@@ -45,6 +45,9 @@ SCENES = {
                                    "cells": "4x4", "steps": 20000}),
     "rest, clamped": (settling, {"on": "clamp", "friction": 0, "cells": "4x4",
                                  "steps": 20000}),
+    "rest on a body": (settling, {"on": "body", "friction": 0.5,
+                                  "cells": "4x4", "steps": 20000,
+                                  "weight": 0.0005}),
     **{f"{turns} turns, {cells}, {reconstruction}": (spin, {
         "cells": cells, "reconstruction": reconstruction,
         "revolutions": turns})

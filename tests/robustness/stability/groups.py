@@ -76,11 +76,14 @@ def vibrations():
 
 
 def rests():
-    rows = [("clamp", 0, "4x4"), ("clamp", 0, "2x2x2"), ("plane", 0, "4x4"),
-            ("plane", 0, "2x2x2"), ("plane", 0.5, "4x4"), ("body", 0, "4x4"),
-            ("body", 0.5, "4x4"), ("body", 0.5, "2x2x2")]
-    return [{"on": on, "friction": k, "cells": mesh, "steps": 10**5}
-            for on, k, mesh in rows]
+    rows = [("clamp", 0, "4x4", 0.05), ("clamp", 0, "2x2x2", 0.05),
+            ("plane", 0, "4x4", 0.05), ("plane", 0, "2x2x2", 0.05),
+            ("plane", 0.5, "4x4", 0.05)]
+    rows += [("body", k, "4x4", weight) for k in (0, 0.5)
+             for weight in (0.05, 0.005, 0.0005)]
+    rows += [("body", 0.5, "2x2x2", weight) for weight in (0.05, 0.005)]
+    return [{"on": on, "friction": k, "cells": mesh, "steps": 10**5,
+             "weight": weight} for on, k, mesh, weight in rows]
 
 
 # Name: scene, its cells

@@ -71,14 +71,15 @@ def friction(folder, on, coefficient, maxCo=None):
     return outcome(case, check, scale=start)
 
 
-def settling(folder, on, friction, cells, steps, maxCo=None):
+def settling(folder, on, friction, cells, steps, weight=0.05, maxCo=None):
     """Gravity is set on at once: a block on a plane, on a clamped base, or
     clamped itself, bounces in itself until its own dissipation brings it to
     rest. In the second half of the time nothing may happen: creep is the rise
     of the energy, by the largest kinetic one, drift the change of the
     displacement of any node, by a cell. The first bounces are strong, against
-    which the limits of rise and balance are wide."""
-    dimensions, g = len(cells.split("x")), 0.05
+    which the limits of rise and balance are wide. weight: of the block on its
+    base, over Young's modulus."""
+    dimensions, g = len(cells.split("x")), weight
     counts = tuple(int(n) for n in cells.split("x"))
     material, cp, _ = rubber(0.3)
     block = Body(cells=counts, name="block", material=material, sides=clamp(
