@@ -118,7 +118,7 @@ const std::vector<point> kite
 ({
     point(0, 0, 0), point(1.2, 0.1, 0), point(0.9, 1.1, 0), point(0.1, 0.8, 0)
 });
-const std::vector<point> triangle
+const std::vector<point> around
 ({
     point(-3, -3, 0.1), point(-2, 6, 0.1), point(6, -2, 0.1)
 });
@@ -131,7 +131,7 @@ const std::vector<point> triangle
 TEST_CASE("Overlaps cover a face inside another one", "[contact]")
 {
     const contactFace small(faceOf(kite, 0, up));
-    const contactFace large(faceOf(triangle, 4, -up));
+    const contactFace large(faceOf(around, 4, -up));
 
     for (const bool swapped : {false, true})
     {
@@ -165,7 +165,7 @@ TEST_CASE("Overlaps cover a face inside another one", "[contact]")
 
 TEST_CASE("Values at overlaps are exact for linear fields", "[contact]")
 {
-    const contactFace a(faceOf(kite, 0, up)), b(faceOf(triangle, 0, -up));
+    const contactFace a(faceOf(kite, 0, up)), b(faceOf(around, 0, -up));
 
     for (const contactOverlap& o : overlapsOf(a, b))
     {
@@ -198,7 +198,7 @@ TEST_CASE("Values at overlaps are exact for linear fields", "[contact]")
 
 TEST_CASE("Faces apart have no overlap", "[contact]")
 {
-    std::vector<point> aside(triangle);
+    std::vector<point> aside(around);
     for (point& p : aside) p += vector(20, 0, 0);
 
     REQUIRE
