@@ -1,5 +1,5 @@
-"""The presets on coarse meshes of the two bars: 'accurate' has the smallest
-error, 'fast' the smallest cost; and each is the options that it stands for."""
+"""The presets in all cases of the trade: 'accurate' has the smallest error,
+'fast' the smallest cost; and each is the options that it stands for."""
 
 import sys
 
@@ -14,8 +14,10 @@ from cases import CASES
 from trade import measure
 from variants import PRESETS, options
 
-# Those whose solution is known
-MESHES = {"similar": "128", "dissimilar": "128"}
+# The cases of the trade, on the coarsest meshes that are not too coarse for
+# the ranking
+MESHES = {"similar": "128", "dissimilar": "128", "rings": "5",
+          "incompressible": "8", "nonMatching": "1", "taylor": "2"}
 
 
 @pytest.fixture(scope="module")

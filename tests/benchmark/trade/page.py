@@ -1,6 +1,7 @@
 """The page a user decides from, and the pictures, from the rows of the
 table."""
 
+from math import log
 from pathlib import Path
 
 from cases import CASES
@@ -88,15 +89,37 @@ def decisions(tables, error, what):
                   "seconds", "times the line above"], lines)
 
 
+def onMeshes(case, rows, preset):
+    """Runs of a preset, from coarse to fine."""
+    mine = [r for r in rows
+            if r["options"] == options(case, preset, r["options"]["mesh"])]
+    return sorted(mine, key=lambda r: float(r["options"]["mesh"]))
+
+
 def meshes(case, rows, unit):
     """The presets on all meshes."""
+    return table(RUN_HEAD, [runLine(r, unit) for preset in PRESETS
+                            for r in onMeshes(case, rows, preset)])
+
+
+def halvings(tables):
+    """What half of the error costs on a finer mesh: slopes between the
+    coarsest and the finest of a preset, both errors as powers of cost."""
     lines = []
-    for preset in PRESETS:
-        mine = [r for r in rows
-                if r["options"] == options(case, preset, r["options"]["mesh"])]
-        lines += [runLine(r, unit) for r in sorted(
-            mine, key=lambda r: float(r["options"]["mesh"]))]
-    return table(RUN_HEAD, lines)
+    for name, rows in tables.items():
+        cells = [CASES[name].title]
+        for preset in PRESETS:
+            found = onMeshes(CASES[name], rows, preset)
+            first, last = found[0], found[-1]
+            power = log(first["error"]/last["error"])/log(
+                last["cost"]/first["cost"])
+            cells += [f"{percent(first['error'], 3)} to "
+                      f"{percent(last['error'], 3)}",
+                      f"{2**(1/power):.1f}"]
+        lines.append(cells)
+    head = ["refined"] + [text for p in PRESETS
+                          for text in (f"`{p}`: error", "half costs")]
+    return table(head, lines)
 
 
 RUN_HEAD = ("run", "error", "velocity", "stress", "force", "peak", "impulse",
@@ -122,9 +145,10 @@ def section(case, rows, stopped):
             f"base mesh {case.base}: `balanced` takes "
             f"{balanced['seconds']:.2g} s. " + reference(case, rows) + "\n",
             f"![error by cost](trade/{case.name}.png)\n",
-            "The front: " + "; ".join(
-                f"*{r['label']}* ({percent(r['error'])} at "
-                f"{r['cost']/unit:.2g})" for r in front(rows)) + ".\n",
+            "The front, error and cost: " + "; ".join(
+                f"{n} *{r['label']}* ({percent(r['error'])} at "
+                f"{r['cost']/unit:.2g})"
+                for n, r in enumerate(front(rows), 1)) + ".\n",
             "Presets on all meshes:\n", meshes(case, rows, unit),
             "Other options, base mesh:\n",
             table(RUN_HEAD, [runLine(r, unit) for r in base
@@ -170,6 +194,8 @@ def writePage(rows):
             "## What an error costs\n",
             "The cheapest of all runs, on any mesh, with at most that error:"
             "\n", decisions(tables, "error", "error"),
+            "Half of the error by a finer mesh alone costs so many times as "
+            "much:\n", halvings(tables),
             "For the peak of the contact force alone, which may be right by "
             "chance on a coarse mesh:\n",
             decisions(tables, "peak", "error of the peak force")]

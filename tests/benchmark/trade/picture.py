@@ -31,11 +31,11 @@ def draw(case, rows, unit):
         mine = sorted((r for r in rows if r["label"].split(",")[0] == preset),
                       key=lambda r: r["cost"])
         show(mine, f"{marker}--", linewidth=1, label=preset)
-    for row in best:
-        if row["label"].split(",")[0] not in PRESETS:
-            axes.annotate(row["label"], (row["cost"]/unit, row["error"]),
-                          fontsize=6, xytext=(4, 4),
-                          textcoords="offset points")
+    # Their names are on the page; neighbours' numbers above and below
+    for number, row in enumerate(best, 1):
+        axes.annotate(str(number), (row["cost"]/unit, row["error"]),
+                      fontsize=8, xytext=(0, 8 if number % 2 else -16),
+                      textcoords="offset points", ha="center")
     axes.set(xscale="log", yscale="log", title=case.title,
              xlabel="cost / that of balanced on the base mesh",
              ylabel="error: mean of velocity, force and energy")
