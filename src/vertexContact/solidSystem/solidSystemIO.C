@@ -57,6 +57,24 @@ Foam::timeIntegrator Foam::solidSystem::readIntegrator
 
 void Foam::solidSystem::checkIntegrator() const
 {
+    if (integrator_.type() == integratorType::TVDRK2)
+    {
+        for (const solidBody& body : bodies_)
+        {
+            // Twice the same node where ranks share it: never too few
+            const label nodes =
+                returnReduce(body.dual().nNodes(), sumOp<label>());
+            if (nodes <= std::pow(3, body.dual().nDim()))
+            {
+                WarningInFunction
+                    << "Region '" << body.name() << "' has " << nodes
+                    << " nodes. What vibrates in bodies of two cells across "
+                    << "is not damped, and grows in long runs with TVDRK2 "
+                    << "(tests/robustness/stability.md): more cells, or "
+                    << "'timeIntegrator TVDRK3'." << endl;
+            }
+        }
+    }
     if (!integrator_.split()) return;
 
     for (const solidBody& body : bodies_)

@@ -1,7 +1,8 @@
 /*---------------------------------------------------------------------------*\
-License
-    This file is part of vertexContact, distributed under GPL-3.0-or-later.
-
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+-------------------------------------------------------------------------------
 Description
     What fluxes may feed back of the energy that they have dissipated.
 
