@@ -6,7 +6,7 @@ import pytest
 
 from smallCases import ELASTIC, RUBBER, Body, SmallCase
 from stability.free import rubber
-from stability.impacts import mach
+from stability.impacts import bar, ends, mach, outer
 from stability.judge import STOPPED
 
 LAWS = {"linearElastic": ELASTIC, "neoHookean": RUBBER,
@@ -72,6 +72,21 @@ def test_surface_goes_through(tmp_path):
     result = mach(tmp_path/"case", "40x8", "linear", 0.9)
     assert result.outcome == STOPPED
     assert "gone through" in result.why, result.why
+
+
+@pytest.mark.parametrize("waveSpeed, speed, warned", (
+    ("linear", 0.9, True), ("linear", 0.5, False), ("stretched", 0.9, False)))
+def test_fast_impact(tmp_path, waveSpeed, speed, warned):
+    _, cp, _ = rubber(0.3)
+    bodies = [bar(name, (10,), start, speed=v, material=RUBBER,
+                  scheme={"waveSpeed": waveSpeed})
+              for name, start, v in (("left", 0, speed*cp), ("right", 1, 0))]
+    outer(*bodies)
+    case = SmallCase(tmp_path/"case", bodies, 0.05, interfaces=ends(
+        "left", "right"))
+    code, output = case.attempt()
+    assert code == 0, output
+    assert ("surfaces may go through each other" in output) == warned, output
 
 
 @pytest.mark.parametrize("reconstruction", ("none", "linear"))

@@ -663,6 +663,8 @@ Foam::solidSystem::solidSystem(Time& runTime)
         }
     }
 
+    checkImpacts();
+
     IOobject gravityIO
     (
         "g", runTime.constant(), runTime,

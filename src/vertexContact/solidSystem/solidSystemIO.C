@@ -24,6 +24,9 @@ constexpr Foam::scalar staysSmall = 0.005;
 //- Largest maxCo that was found stable in all scenes
 constexpr Foam::scalar largestCo = 1;
 
+//- Fastest impact, by the speed of waves, in which all surfaces kept apart
+constexpr Foam::scalar fastImpact = 0.7;
+
 } // End anonymous namespace
 
 
@@ -86,6 +89,49 @@ void Foam::solidSystem::checkIntegrator() const
                 << "'reconstruction' linear or none, but region '"
                 << body.name() << "' has full (fvSchemes). Valid integrators "
                 << "for full: (TVDRK2 TVDRK3)" << exit(FatalIOError);
+        }
+    }
+}
+
+
+void Foam::solidSystem::checkImpacts() const
+{
+    const auto meanVelocity = [](const solidBody& body)
+    {
+        scalar volume = 0;
+        for (label a = 0; a < body.dual().nNodes(); ++a)
+        {
+            if (body.dual().sharing().owned()[a])
+            {
+                volume += body.dual().nodeVolume()[a];
+            }
+        }
+        return
+            returnReduce(body.linearMomentum(), sumOp<vector>())
+           /(body.material().rho()*returnReduce(volume, sumOp<scalar>()));
+    };
+
+    for (const contactInterface& contact : interfaces_)
+    {
+        const List<contactSide> sides(contact.sides());
+        const solidBody& a = *sides.first().body;
+        const solidBody& b = *sides.last().body;
+        const bool stretches =
+            (a.material().stretchesWaves() && !a.options().stretchedWaves)
+         || (b.material().stretchesWaves() && !b.options().stretchedWaves);
+
+        // Of an obstacle: as if it were at rest
+        const vector v(meanVelocity(a));
+        const scalar speed = mag(sides.size() > 1 ? v - meanVelocity(b) : v);
+        const scalar cp = min(a.material().cp(), b.material().cp());
+        if (stretches && speed > fastImpact*cp)
+        {
+            WarningInFunction
+                << "Interface '" << contact.name() << "': the bodies approach "
+                << "with " << speed/cp << " of the speed of their waves. "
+                << "Above " << fastImpact << " surfaces may go through each "
+                << "other (tests/robustness/stability.md): 'waveSpeed "
+                << "stretched' in fvSchemes." << endl;
         }
     }
 }
