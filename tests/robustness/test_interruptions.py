@@ -85,7 +85,7 @@ class Running:
     def end(self, limit=timeLimit):
         """Exit code and output."""
         code = self.process.wait(limit)
-        return code, self.log.read_text()
+        return code, self.log.read_text(errors="replace")
 
     def reach(self, instant):
         """Wait until a time after this one is written."""

@@ -42,8 +42,8 @@ def copyTutorials(destination):
     """A clean copy of tutorials/, without results."""
     made = shutil.ignore_patterns(
         "0", "[1-9]*", "0.[0-9]*", "processor[0-9]*", "postProcessing",
-        "polyMesh", "log.*", "*.msh", "*.png", "caseParameters", "__pycache__",
-        "results")
+        "polyMesh", "log.*", "*.msh", "*.png", "*.foam", "caseParameters",
+        "__pycache__", "results")
     return Path(shutil.copytree(root/"tutorials", destination, ignore=made))
 
 

@@ -373,16 +373,18 @@ def test_conservation(tmp_path, figures, dimensions, law):
 
 
 def test_zero_friction_is_frictionless(tmp_path, figures):
-    """Coulomb's law with k = 0 gives the very same fields."""
+    """Coulomb's law with k = 0 gives the same fields, to the round-off of the
+    dissipation that is summed up."""
     cases = [SmallCase(tmp_path/name, blocks(2), endTime=2,
                        interfaces=collision(law)).run()
              for name, law in (("zero", coulomb(0)),
                                ("frictionless", "frictionless"))]
     with figures("friction coefficient 0") as f:
         for name in "pointU", "pointD", "sigma", "F":
-            f.equal(f"{name} is that of frictionless", all(np.array_equal(*(
-                case.at(name, region=region) for case in cases))
-                for region in ("left", "right")), True)
+            for region in "left", "right":
+                a, b = (case.at(name, region=region) for case in cases)
+                f.atMost(f"{name}, {region}: difference / scale",
+                         largest(a - b)/largest(b), 1e-12)
 
 
 # When contact acts

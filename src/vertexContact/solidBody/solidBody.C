@@ -858,6 +858,17 @@ Foam::scalar Foam::solidBody::strainEnergy() const
 }
 
 
+Foam::scalar Foam::solidBody::mass() const
+{
+    scalar volume = 0;
+    for (label a = 0; a < dual_.nNodes(); ++a)
+    {
+        if (dual_.sharing().owned()[a]) volume += dual_.nodeVolume()[a];
+    }
+    return data_.rho*volume;
+}
+
+
 Foam::vector Foam::solidBody::linearMomentum() const
 {
     const label d = dual_.nDim();

@@ -433,7 +433,8 @@ void Foam::solidSystem::stopStep
     {
         bodies_[i].restoreOld();
         accounts_[i] = oldAccounts_[i];
-        dissipated_[i] = 0;
+        dissipated_[i] = oldDissipated_[i];
+        bodies_[i].setReserve(oldReserves_[i]);
         bodies_[i].contact().status = oldStatus_[i];
     }
     forAll(interfaces_, i)
@@ -693,16 +694,8 @@ Foam::solidSystem::solidSystem(Time& runTime)
     initialEnergy_.setSize(bodies_.size(), scalar(0));
     sums_.setSize(bodies_.size()*nSums, scalar(0));
     dissipated_.setSize(bodies_.size(), scalar(0));
-    scalar energy = 0;
-    for (const solidBody& body : bodies_)
-    {
-        energy += body.kineticEnergy() + body.strainEnergy();
-    }
-    reduce(energy, sumOp<scalar>());
-    for (solidBody& body : bodies_)
-    {
-        body.setReserve(dissipationReserve(energy));
-    }
+    oldReserves_.setSize(bodies_.size());
+    startReserves();
     readAccounts(record);
     maxEnergyRise_ =
         runTime.controlDict().getOrDefault<scalar>("maxEnergyRise", 0);
@@ -811,9 +804,11 @@ void Foam::solidSystem::startStep()
     // What a step that goes wrong has to put back
     startOfStep_ = runTime_.value();
     oldAccounts_ = accounts_;
+    oldDissipated_ = dissipated_;
     forAll(bodies_, i)
     {
         oldStatus_[i] = bodies_[i].contact().status;
+        oldReserves_[i] = bodies_[i].reserve();
         if (maxEnergyRise_ > 0)
         {
             bodies_[i].keepPlasticity();

@@ -98,17 +98,9 @@ void Foam::solidSystem::checkImpacts() const
 {
     const auto meanVelocity = [](const solidBody& body)
     {
-        scalar volume = 0;
-        for (label a = 0; a < body.dual().nNodes(); ++a)
-        {
-            if (body.dual().sharing().owned()[a])
-            {
-                volume += body.dual().nodeVolume()[a];
-            }
-        }
         return
             returnReduce(body.linearMomentum(), sumOp<vector>())
-           /(body.material().rho()*returnReduce(volume, sumOp<scalar>()));
+           /returnReduce(body.mass(), sumOp<scalar>());
     };
 
     for (const contactInterface& contact : interfaces_)
@@ -205,6 +197,24 @@ Foam::dictionary Foam::solidSystem::readRecord()
     }
     runTime_.setTime(exact, runTime_.timeIndex());
     return record;
+}
+
+
+void Foam::solidSystem::startReserves()
+{
+    scalar energy = 0, mass = 0;
+    scalarList masses(bodies_.size());
+    forAll(bodies_, i)
+    {
+        energy += bodies_[i].kineticEnergy() + bodies_[i].strainEnergy();
+        masses[i] = returnReduce(bodies_[i].mass(), sumOp<scalar>());
+        mass += masses[i];
+    }
+    reduce(energy, sumOp<scalar>());
+    forAll(bodies_, i)
+    {
+        bodies_[i].setReserve(dissipationReserve(energy*masses[i]/mass));
+    }
 }
 
 
