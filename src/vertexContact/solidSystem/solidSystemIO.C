@@ -240,7 +240,7 @@ void Foam::solidSystem::readAccounts(const dictionary& dict)
                 (
                     dissipationReserve
                     (
-                        body.get<FixedList<scalar, 4>>("reserve")
+                        body.get<FixedList<scalar, 5>>("reserve")
                     )
                 );
                 if (Pstream::master())
