@@ -79,8 +79,16 @@ class Running:
             self.kill()
 
     def kill(self):
-        os.killpg(self.process.pid, signal.SIGKILL)
-        self.process.wait()
+        """The ranks too, which mpirun puts in groups of their own: they would
+        write on while the next run starts."""
+        session = str(self.process.pid)
+        begin = time.time()
+        while self.process.poll() is None or re.search("^[^Z]", subprocess.run(
+                ["ps", "-s", session, "-o", "stat="], capture_output=True,
+                text=True, check=False).stdout, re.MULTILINE):
+            subprocess.run(["pkill", "-KILL", "-s", session], check=False)
+            assert time.time() - begin < 60
+            time.sleep(0.01)
 
     def end(self, limit=timeLimit):
         """Exit code and output."""
