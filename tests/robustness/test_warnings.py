@@ -45,12 +45,14 @@ def test_step_above_the_limit(tmp_path):
     assert warning not in log(tmp_path/"short", "neoHookean", 0.01, maxCo=1)
 
 
-@pytest.mark.parametrize("cells, integrator, warned", (
-    ((2, 2), "TVDRK2", True), ((3, 3), "TVDRK2", False),
-    ((2, 2), "TVDRK3", False)))
-def test_few_cells(tmp_path, cells, integrator, warned):
+@pytest.mark.parametrize("cells, control, warned", (
+    ((2, 2), {"timeIntegrator": "TVDRK2"}, True),
+    ((2, 2), {"preset": "fast"}, True),
+    ((3, 3), {"timeIntegrator": "TVDRK2"}, False),
+    ((2, 2), {"timeIntegrator": "TVDRK3"}, False)))
+def test_few_cells(tmp_path, cells, control, warned):
     case = SmallCase(tmp_path/"case", Body(cells=cells, material=RUBBER), 0.1,
-                     control={"timeIntegrator": integrator})
+                     control=control)
     code, output = case.attempt()
     assert code == 0, output
     assert ("bodies of two cells across" in output) == warned, output

@@ -60,7 +60,7 @@ Foam::timeIntegrator Foam::solidSystem::readIntegrator
 
 void Foam::solidSystem::checkIntegrator() const
 {
-    if (integrator_.type() == integratorType::TVDRK2)
+    if (integrator_.type() != integratorType::TVDRK3)
     {
         for (const solidBody& body : bodies_)
         {
@@ -72,8 +72,9 @@ void Foam::solidSystem::checkIntegrator() const
                 WarningInFunction
                     << "Region '" << body.name() << "' has " << nodes
                     << " nodes. What vibrates in bodies of two cells across "
-                    << "is not damped, and grows in long runs with TVDRK2 "
-                    << "(tests/robustness/stability.md): more cells, or "
+                    << "is not damped, and grows in long runs with "
+                    << timeIntegrator::names[integrator_.type()]
+                    << " (tests/robustness/stability.md): more cells, or "
                     << "'timeIntegrator TVDRK3'." << endl;
             }
         }
