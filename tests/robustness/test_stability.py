@@ -45,9 +45,10 @@ SCENES = {
                                    "cells": "4x4", "steps": 20000}),
     "rest, clamped": (settling, {"on": "clamp", "friction": 0, "cells": "4x4",
                                  "steps": 20000}),
-    "rest on a body": (settling, {"on": "body", "friction": 0.5,
-                                  "cells": "4x4", "steps": 20000,
-                                  "weight": 0.0005}),
+    **{f"rest on a body, {weight}": (settling, {
+        "on": "body", "friction": 0.5, "cells": "4x4", "steps": steps,
+        "weight": weight}) for weight, steps in ((0.0005, 20000),
+                                                 (0.05, 50000))},
     **{f"{turns} turns, {cells}, {reconstruction}": (spin, {
         "cells": cells, "reconstruction": reconstruction,
         "revolutions": turns})

@@ -4,7 +4,8 @@ cannot go on."""
 import numpy as np
 import pytest
 
-from smallCases import ELASTIC, RUBBER, Body, SmallCase
+from smallCases import (ELASTIC, RUBBER, Body, SmallCase, condition, coulomb,
+                        interface)
 from stability.free import rubber
 from stability.impacts import bar, ends, mach, outer
 from stability.judge import STOPPED
@@ -56,6 +57,30 @@ def test_few_cells(tmp_path, cells, control, warned):
     code, output = case.attempt()
     assert code == 0, output
     assert ("bodies of two cells across" in output) == warned, output
+
+
+@pytest.mark.parametrize("law, gains", (
+    ({"type": "tied"}, True), (coulomb(0.5), False)))
+def test_rise_of_energy(tmp_path, law, gains):
+    """A block on a base as fine, under its weight: tied it gains energy."""
+    linear = {"reconstruction": "linear"}
+    block = Body(cells=(4, 4), name="block", material=RUBBER, scheme=linear,
+                 sides={"bottom": "contact"})
+    base = Body(cells=(8, 4), name="base", start=(-0.5, -1, 0), size=(2, 1, 1),
+                material=RUBBER, scheme=linear, sides={
+                    "bottom": condition("fixedVelocity", velocity=(0, 0, 0)),
+                    "top": "contact"})
+    weight = 0.01*RUBBER["E"]/RUBBER["rho"]
+    case = SmallCase(
+        tmp_path/"case", [block, base], 1000, gravity=(0, -weight, 0),
+        control={"maxCo": 0.6}, interfaces={"contact": interface(
+            ("block", "bottom"), ("base", "top"), law, pairing="matching")})
+    code, output = case.attempt()
+    assert code == 0, output
+    own = case.totalEnergy - case.energies["total:externalWork"]
+    rise = np.max(own - np.minimum.accumulate(own))
+    assert (rise > 0.02*case.totalEnergy.max()) == gains, rise
+    assert ("of its largest value, without work" in output) == gains, output
 
 
 def test_linear_law_blows_up(tmp_path):

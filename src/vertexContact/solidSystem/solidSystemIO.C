@@ -27,6 +27,9 @@ constexpr Foam::scalar largestCo = 1;
 //- Fastest impact, by the speed of waves, in which all surfaces kept apart
 constexpr Foam::scalar fastImpact = 0.7;
 
+//- Share of its energy above which a gain is worth a warning
+constexpr Foam::scalar gains = 0.01;
+
 } // End anonymous namespace
 
 
@@ -322,7 +325,7 @@ void Foam::solidSystem::checkDissipation(const List<energies>& all)
     {
         const energies& e = all[i];
         const scalar share = -e.numericalDissipation/(e.total() + VSMALL);
-        if (!warnedOfGain_ && share > 0.01)
+        if (!warnedOfGain_ && share > gains)
         {
             warnedOfGain_ = true;
             WarningInFunction
@@ -333,6 +336,34 @@ void Foam::solidSystem::checkDissipation(const List<energies>& all)
                 << "gain energy; more than three cells across the body."
                 << endl;
         }
+    }
+
+    const energies& e = all.last();
+    const scalar own = e.total() - e.externalWork;
+    for (label i = 0; i < 2; ++i)
+    {
+        const scalar now = i ? own - e.contactWork : own;
+        leastLogged_[i] = min(leastLogged_[i], now);
+        riseLogged_[i] = max(riseLogged_[i], now - leastLogged_[i]);
+    }
+    largestLogged_ = max(largestLogged_, e.total());
+}
+
+
+void Foam::solidSystem::reportGain() const
+{
+    // Obstacles that move do work, which the first does not know; and the
+    // second takes what contact stores and gives back for a rise
+    const scalar rise = min(riseLogged_[0], riseLogged_[1]);
+    if (!warnedOfGain_ && rise > gains*largestLogged_)
+    {
+        WarningInFunction
+            << "The energy has risen by " << 100*rise/largestLogged_
+            << " % of its largest value, without work." << nl
+            << "    Likely cures: a finer mesh, a smaller maxCo; for standing "
+            << "loads no law 'tied'. "
+            << "'maxEnergyRise' in controlDict ends a run where it happens."
+            << endl;
     }
 }
 
@@ -602,6 +633,7 @@ void Foam::solidSystem::reportCost(OSstream& os) const
     }
 
     reportRange(os);
+    reportGain();
 
     if (interfaces_.size() && steps_)
     {

@@ -76,14 +76,20 @@ def vibrations():
 
 
 def rests():
-    rows = [("clamp", 0, "4x4", 0.05), ("clamp", 0, "2x2x2", 0.05),
-            ("plane", 0, "4x4", 0.05), ("plane", 0, "2x2x2", 0.05),
-            ("plane", 0.5, "4x4", 0.05)]
-    rows += [("body", k, "4x4", weight) for k in (0, 0.5)
+    rows = [("clamp", 0, "4x4", 0.05, 2), ("clamp", 0, "2x2x2", 0.05, 2),
+            ("plane", 0, "4x4", 0.05, 2), ("plane", 0, "2x2x2", 0.05, 2),
+            ("plane", 0.5, "4x4", 0.05, 2)]
+    rows += [("body", k, "4x4", weight, 2) for k in (0, 0.5)
              for weight in (0.05, 0.005, 0.0005)]
-    rows += [("body", 0.5, "2x2x2", weight) for weight in (0.05, 0.005)]
+    rows += [("body", 0.5, "4x4", weight, ratio) for ratio in (3, 4)
+             for weight in (0.05, 0.005)]
+    rows += [("body", 0.5, mesh, weight, 2) for mesh in ("2x2x2", "3x3x3")
+             for weight in (0.05, 0.005, 0.0005)]
+    rows += [("tied", 0, "4x4", weight, ratio) for ratio in (2, 3)
+             for weight in (0.05, 0.005)]
     return [{"on": on, "friction": k, "cells": mesh, "steps": 10**5,
-             "weight": weight} for on, k, mesh, weight in rows]
+             "weight": weight, "ratio": ratio}
+            for on, k, mesh, weight, ratio in rows]
 
 
 # Name: scene, its cells

@@ -476,4 +476,88 @@ TEST_CASE("the frame of reference does not matter", "[acousticRiemann][serial]")
 }
 
 
+TEST_CASE("bounded common velocity", "[acousticRiemann][serial]")
+{
+    Random random(17);
+    label nBounded = 0, nFree = 0;
+    for (label sample = 0; sample < nSamples; ++sample)
+    {
+        side L(randomSide(random)), R(randomSide(random));
+        R.v = L.v + random.sample01<scalar>()*randomVector(random);
+        const vector n(randomNormal(random));
+
+        for (const bool slips : {false, true})
+        {
+            const solution s(slips ? sliding(L, R, n, 0.1) : stuck(L, R, n));
+            solution b(s);
+            boundCommonVelocity(b, L, R, n);
+
+            // The same change of both surfaces, along n where they slide
+            const vector change(b.vMinus - s.vMinus);
+            CHECK(b.state == s.state);
+            CHECK(b.t == s.t);
+            CHECK(maxDiff(change, b.vPlus - s.vPlus) <= 10*tol);
+            if (s.state == status::slip)
+            {
+                CHECK(mag(tangential(change, n)) <= 10*tol);
+            }
+
+            // What tractions add is between nothing and all of it
+            const scalar most = mag(R.v - L.v);
+            const scalar all = ((R.t - L.t) & n)/(L.zp + R.zp);
+            const scalar part =
+                (b.vMinus & n)
+              - weightedVelocity(L.zp, L.v & n, R.zp, R.v & n);
+            CHECK(part == Approx(max(-most, min(most, all))).margin(10*tol));
+            mag(all) > most ? ++nBounded : ++nFree;
+
+            // and dissipates as the formula says
+            const scalar dv = (R.v - L.v) & n, dt = (R.t - L.t) & n;
+            const scalar dissipated =
+                ((s.t - L.t) & n)*((b.vMinus - L.v) & n)
+              + ((s.t - R.t) & n)*((R.v - b.vPlus) & n);
+            CHECK
+            (
+                dissipated
+             == Approx(part*dt + L.zp*R.zp/(L.zp + R.zp)*dv*dv).margin(1e-11)
+            );
+            CHECK(dissipated >= -100*tol);
+
+            if (s.state == status::stick)
+            {
+                const vector mean
+                (
+                    weightedVelocity
+                    (
+                        L.zs, tangential(L.v, n), R.zs, tangential(R.v, n)
+                    )
+                );
+                const vector byShear
+                (
+                    (1/(L.zs + R.zs))*tangential(R.t - L.t, n)
+                );
+                const scalar speed = mag(byShear);
+                CHECK
+                (
+                    maxDiff
+                    (
+                        tangential(b.vMinus, n) - mean,
+                        (speed > most ? most/speed : 1)*byShear
+                    ) <= 100*tol
+                );
+            }
+        }
+
+        // Bodies at rest stay so, whatever their stresses
+        R.v = L.v;
+        solution rest(stuck(L, R, n));
+        boundCommonVelocity(rest, L, R, n);
+        CHECK(maxDiff(rest.vMinus, L.v) <= 100*tol);
+        CHECK(maxDiff(rest.vPlus, L.v) <= 100*tol);
+    }
+    CHECK(nBounded > nSamples/10);
+    CHECK(nFree > nSamples/10);
+}
+
+
 // ************************************************************************* //

@@ -254,6 +254,19 @@ void Foam::bodyInterface::solve(const scalar, const bool firstStage)
     }
 
     solveProblems();
+    if (!law().bonded())
+    {
+        for (contactLaw::problem& p : problems_)
+        {
+            if (p.result.state != acousticRiemann::status::open)
+            {
+                acousticRiemann::boundCommonVelocity
+                (
+                    p.result, p.minus, p.plus, p.n
+                );
+            }
+        }
+    }
 
     // Forces and velocities to both sides
     answers_.setSize(pairing_->nSlots());
