@@ -334,6 +334,10 @@ def test_signals(straight, tmp_path, figures, which, ends, ranks):
     folder = folders(ranks)[0]
     odd = [t for t in timeFolders(case/folder)
            if abs(10*float(t) - round(10*float(t))) > 1e-6]
+    if not odd and tmp_path.name != "again":
+        # The signal came in a step that ends at a write time
+        test_signals(straight, tmp_path/"again", figures, which, ends, ranks)
+        return
     with figures(f"{which.name}, {ranks} ranks") as f:
         f.equal("exit code", code, 0)
         f.equal("said", asked in log, True)
