@@ -166,9 +166,18 @@ void listSchemes(Ostream& os)
     (
         os,
         "Schemes: dictionary 'vertexCentred' in system/<region>/fvSchemes, "
-        "defaults of preset balanced"
+        "defaults of preset balanced and, for the paper's scheme, of paper"
     );
-    schemeOptions().keywords().write(os);
+    const schemeOptions variational(preset(preset::kind::balanced).scheme);
+    writeKeywords(os, "all", variational.commonKeywords());
+    writeKeywords
+    (
+        os, "variational scheme", variational.variationalKeywords()
+    );
+    writeKeywords
+    (
+        os, "preset paper", preset(preset::kind::paper).scheme.paperKeywords()
+    );
     os  << nl;
 }
 
@@ -181,23 +190,25 @@ void listPresets(Ostream& os)
         "Presets: 'preset' in system/controlDict; the default is balanced"
     );
 
-    // A row for each option, a column for each preset
+    // A row for each option of any, a column for each preset
     const wordList names(preset::names.toc());
     List<keywordList> values(names.size());
+    List<stringList> rows(1, stringList(names.size() + 1));
     forAll(names, i)
     {
         const preset p(preset::names[names[i]]);
         values[i] = p.keywords() + p.scheme.keywords();
-    }
-    const label nOptions = values[0].all.size();
-    List<stringList> rows(nOptions + 1, stringList(names.size() + 1));
-    forAll(names, i)
-    {
         rows[0][i + 1] = names[i];
-        for (label k = 0; k < nOptions; ++k)
+        for (const keywordList::keyword& option : values[i].all)
         {
-            rows[k + 1][0] = values[i].all[k].name;
-            rows[k + 1][i + 1] = values[i].all[k].deflt;
+            label row = 1;
+            while (row < rows.size() && rows[row][0] != option.name) ++row;
+            if (row == rows.size())
+            {
+                rows.append(stringList(names.size() + 1, "-"));
+                rows[row][0] = option.name;
+            }
+            rows[row][i + 1] = option.deflt;
         }
     }
     keywordList::writeColumns(os, rows);
@@ -219,8 +230,10 @@ void listIntegrators(Ostream& os)
             << integrator.nStages()
             << (integrator.nStages() > 1 ? " times" : " time") << " a step"
             << (
-                   integrator.split()
-                 ? "; for reconstruction linear and none" : ""
+                   integrator.leapfrog() ? "; for the variational scheme"
+               : integrator.split()
+               ? "; for preset paper with reconstruction linear and none"
+               : "; for preset paper"
                )
             << nl;
     }

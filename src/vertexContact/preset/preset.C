@@ -14,6 +14,7 @@ const Foam::Enum<Foam::preset::kind> Foam::preset::names
     { kind::fast, "fast" },
     { kind::balanced, "balanced" },
     { kind::accurate, "accurate" },
+    { kind::paper, "paper" },
 });
 
 
@@ -23,24 +24,24 @@ Foam::preset::preset(const kind name)
 :
     name(name),
     scheme(),
-    maxCo(0.6),
-    integrator(integratorType::TVDRK2)
+    maxCo(0.9),
+    integrator(integratorType::leapfrog)
 {
     switch (name)
     {
         case kind::fast:
-            scheme.reconstruction = reconstructionType::linear;
-            scheme.kinematics = kinematicSet::FJ;
-            maxCo = 0.8;
-            integrator = integratorType::symplecticEuler;
+            scheme.correction = 0;
             break;
-
         case kind::balanced:
             break;
-
         case kind::accurate:
-            scheme.dissipation = 0.5;
-            maxCo = 0.3;
+            maxCo = 0.45;
+            break;
+        case kind::paper:
+            scheme.scheme = schemeType::paper;
+            scheme.dissipation = 1;
+            maxCo = 0.6;
+            integrator = integratorType::TVDRK2;
             break;
     }
 }
@@ -66,13 +67,13 @@ Foam::keywordList Foam::preset::keywords() const
     {
         {
             "maxCo", "-", Foam::name(maxCo),
-            "step, as a share of the largest one that information allows"
+            "step, as a share of the largest stable one"
         },
         {
             "timeIntegrator", "", timeIntegrator::names[integrator],
             keywordList::oneOf
             (
-                timeIntegrator::names.toc(), "two, three, one flux a step"
+                timeIntegrator::names.toc(), "two, three, one, one flux a step"
             )
         }
     };

@@ -9,7 +9,36 @@
 #include "Switch.H"
 #include "dimensionSets.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+template<class Names>
+Foam::string oneOf(const Names& names, const char* meaning)
+{
+    return Foam::keywordList::oneOf(names.toc(), meaning);
+}
+
+} // End anonymous namespace
+
+
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+const Foam::Enum<Foam::schemeType>
+Foam::schemeOptions::schemeNames
+({
+    { schemeType::variational, "variational" },
+    { schemeType::paper, "paper" },
+});
+
+const Foam::Enum<Foam::volumeTreatment>
+Foam::schemeOptions::volumeNames
+({
+    { volumeTreatment::automatic, "automatic" },
+    { volumeTreatment::nodal, "nodal" },
+    { volumeTreatment::smoothed, "smoothed" },
+});
 
 const Foam::Enum<Foam::reconstructionType>
 Foam::schemeOptions::reconstructionNames
@@ -34,6 +63,29 @@ const Foam::wordList Foam::schemeOptions::waveSpeedNames
 });
 
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::schemeOptions::refuseOther(const dictionary& dict) const
+{
+    const bool paper = (scheme == schemeType::paper);
+    const keywordList others = paper ? variationalKeywords() : paperKeywords();
+    for (const keywordList::keyword& other : others.all)
+    {
+        if (dict.found(other.name))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Keyword '" << other.name << "' belongs to the "
+                << (paper ? "variational scheme, but 'preset paper' in "
+                  "controlDict chooses the paper's."
+                : "paper's scheme: 'preset paper' in controlDict.") << nl
+                << "Keywords of the scheme that is chosen: "
+                << dictionaryCheck::listed(keywords().names()).c_str()
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::schemeOptions::schemeOptions
@@ -52,9 +104,31 @@ Foam::schemeOptions::schemeOptions
     using namespace dictionaryCheck;
 
     const dictionary& dict = fvSchemes.subDict("vertexCentred");
+    refuseOther(dict);
     onlyKeywords(dict, keywords());
 
     cells = readEnum(medianDual::cellTreatmentNames, dict, "cells", cells);
+    dissipation =
+        readNumberOrDefault(dict, "dissipation", dimless, dissipation);
+    require
+    (
+        dissipation > 0 && dissipation <= 1,
+        dict, "dissipation", dissipation, "above 0 and at most 1"
+    );
+
+    if (scheme == schemeType::variational)
+    {
+        correction =
+            readNumberOrDefault(dict, "correction", dimless, correction);
+        require
+        (
+            correction >= 0 && correction <= 0.5,
+            dict, "correction", correction, "at least 0 and at most 0.5"
+        );
+        volume = readEnum(volumeNames, dict, "volume", volume);
+        return;
+    }
+
     reconstruction =
         readEnum(reconstructionNames, dict, "reconstruction", reconstruction);
     limiter = readEnum(limiterNames, dict, "limiter", limiter);
@@ -70,14 +144,6 @@ Foam::schemeOptions::schemeOptions
     preserveAngularMomentum = dict.getOrDefault<Switch>
     (
         "preserveAngularMomentum", preserveAngularMomentum
-    );
-
-    dissipation =
-        readNumberOrDefault(dict, "dissipation", dimless, dissipation);
-    require
-    (
-        dissipation > 0 && dissipation <= 1,
-        dict, "dissipation", dissipation, "above 0 and at most 1"
     );
 
     if (dict.found("waveSpeed"))
@@ -99,13 +165,8 @@ Foam::schemeOptions::schemeOptions
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::keywordList Foam::schemeOptions::keywords() const
+Foam::keywordList Foam::schemeOptions::commonKeywords() const
 {
-    const auto oneOf = [](const auto& names, const char* meaning)
-    {
-        return keywordList::oneOf(names.toc(), meaning);
-    };
-
     return
     {
         {
@@ -116,6 +177,38 @@ Foam::keywordList Foam::schemeOptions::keywords() const
                 "mean of the splits of quads and hexes, one split, mesh edges"
             )
         },
+        {
+            "dissipation", "-", Foam::name(dissipation),
+            "share of that of the momentum at edges, above 0 and at most 1"
+        }
+    };
+}
+
+
+Foam::keywordList Foam::schemeOptions::variationalKeywords() const
+{
+    return
+    {
+        {
+            "correction", "-", Foam::name(correction),
+            "of the averages: 1/3 fourth order, 0 second order and cheaper"
+        },
+        {
+            "volume", "", volumeNames[volume],
+            oneOf
+            (
+                volumeNames,
+                "Jacobian of the energy, by Poisson's ratio or as told"
+            )
+        }
+    };
+}
+
+
+Foam::keywordList Foam::schemeOptions::paperKeywords() const
+{
+    return
+    {
         {
             "reconstruction", "", reconstructionNames[reconstruction],
             oneOf
@@ -155,12 +248,20 @@ Foam::keywordList Foam::schemeOptions::keywords() const
             (
                 waveSpeedNames, "of the undeformed material, or the stretched"
             )
-        },
-        {
-            "dissipation", "-", Foam::name(dissipation),
-            "share of that of the momentum at edges, above 0 and at most 1"
         }
     };
+}
+
+
+Foam::keywordList Foam::schemeOptions::keywords() const
+{
+    return
+        commonKeywords()
+      + (
+            scheme == schemeType::paper
+          ? paperKeywords()
+          : variationalKeywords()
+        );
 }
 
 

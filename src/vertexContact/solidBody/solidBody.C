@@ -93,6 +93,35 @@ PtrList<bodyForce> readBodyForces
     );
 }
 
+bool isVariational(const schemeOptions& options)
+{
+    return options.scheme == schemeType::variational;
+}
+
+//- Poisson's ratio from which on the Jacobian of the energy is smoothed
+constexpr scalar smoothedFrom = 0.45;
+
+//- What the state has besides F: of the variational scheme the smoothed Jacobian
+kinematicSet kinematicsOf
+(
+    const schemeOptions& options,
+    const materialModel& material
+)
+{
+    if (!isVariational(options)) return options.kinematics;
+
+    const scalar mu = material.mu(), kappa = material.kappa();
+    const scalar nu = (3*kappa - 2*mu)/(2*(3*kappa + mu));
+    return
+        options.volume == volumeTreatment::smoothed
+     || (
+            options.volume == volumeTreatment::automatic
+         && nu >= smoothedFrom
+        )
+      ? kinematicSet::FJ
+      : kinematicSet::F;
+}
+
 } // End anonymous namespace
 
 
@@ -172,7 +201,10 @@ void Foam::solidBody::makeCorners()
         if
         (
             bc.tractionFree()
-         && options_.reconstruction != reconstructionType::full
+         && (
+                data_.variational
+             || options_.reconstruction != reconstructionType::full
+            )
         )
         {
             continue;
@@ -278,7 +310,11 @@ void Foam::solidBody::addBodyForces(const scalar time, const bool energy)
     const auto add = [&](const label a, const label i, const scalar f)
     {
         data_.rates[a*data_.strideRates + i] += f;
-        if (energy && owned[a])
+        if (data_.variational)
+        {
+            if (owned[a]) externalForce_[a*d + i] += f;
+        }
+        else if (energy && owned[a])
         {
             powers_.external += dual_.nodeVolume()[a]*f*v[a*data_.strideW + i];
         }
@@ -340,15 +376,25 @@ Foam::solidBody::solidBody
     ),
     data_
     (
-        dual_, options_.kinematics, material_->finiteStrain(),
-        options_.reconstruction, options_.limiter, options_.dissipation,
+        dual_, isVariational(options_), kinematicsOf(options_, *material_),
+        material_->finiteStrain(),
+        isVariational(options_)
+      ? reconstructionType::none : options_.reconstruction,
+        options_.limiter, options_.dissipation,
         material_->rho(), material_->cp(), material_->cs()
     ),
-    kernel_(vertexKernel::New(data_)),
     mirrorPatches_(findMirrors(mesh_, pointU_)),
     symmetry_(dual_, mirrorPatches_),
-    angularMomentum_(data_, symmetry_, options_.preserveAngularMomentum),
-    stretchedWaves_(options_.stretchedWaves && material_->stretchesWaves()),
+    angularMomentum_
+    (
+        data_, symmetry_,
+        options_.preserveAngularMomentum && !data_.variational
+    ),
+    stretchedWaves_
+    (
+        (options_.stretchedWaves || data_.variational)
+     && material_->stretchesWaves()
+    ),
     corners_(mesh_.boundaryMesh().size()),
     depth_(mesh_.boundaryMesh().size()),
     boundaryArea_(dual_.nNodes(), Zero),
@@ -396,6 +442,37 @@ Foam::solidBody::solidBody
     }
 
     makeCorners();
+    if (data_.variational)
+    {
+        variational_ = variationalKernel::New(data_);
+        x_.reset
+        (
+            new variationalData
+            (
+                data_, options_.correction, options_.dissipation,
+                data_.state.solvesJ
+            )
+        );
+        for (const dualPatch& patch : dual_.patches())
+        {
+            if (!mirrorPatches_.found(patch.patchIndex))
+            {
+                x_->addPairs(patch, dual_.nDim());
+            }
+        }
+        x_->joinPairs(dual_.nDim());
+        findFixedNodes();
+        externalForce_.setSize(dual_.nNodes()*dual_.nDim(), Zero);
+        if (hasContact_)
+        {
+            contactForce_.setSize(dual_.nNodes()*dual_.nDim(), Zero);
+        }
+        boundFrequencies();
+    }
+    else
+    {
+        kernel_ = vertexKernel::New(data_);
+    }
     readState();
 }
 
@@ -545,7 +622,14 @@ void Foam::solidBody::releaseMeshTables()
 
 void Foam::solidBody::prepare(const scalar time, const bool moved)
 {
-    kernel_->velocities(data_);
+    if (data_.variational)
+    {
+        deform();
+    }
+    else
+    {
+        kernel_->velocities(data_);
+    }
     if (moved)
     {
         material_->stress
@@ -566,7 +650,9 @@ void Foam::solidBody::prepare(const scalar time, const bool moved)
         if (corners_.set(patchi))
         {
             cornerStates& c = corners_[patchi];
-            kernel_->corners(data_, c);
+            data_.variational
+          ? variational_->corners(data_, c)
+          : kernel_->corners(data_, c);
             condition(patchi).solve(time, c);
         }
     }
@@ -608,6 +694,12 @@ void Foam::solidBody::computeFluxes
     scalar* angularSums
 )
 {
+    if (data_.variational)
+    {
+        computeForces(energy);
+        return;
+    }
+
     // Pass A: gradients, and nodes
     computeGradients();
     if (options_.reconstruction == reconstructionType::full)
@@ -655,6 +747,8 @@ void Foam::solidBody::finishRates
     const scalar* angularSums
 )
 {
+    evaluated_ = true;
+    reusable_ = true;
     if (angularMomentum_.active())
     {
         powers_.numericalDissipation +=
@@ -665,11 +759,16 @@ void Foam::solidBody::finishRates
     }
 
     addBodyForces(time, energy);
+    if (data_.variational) react();
 
     if (symmetry_.active())
     {
         symmetry_.project(data_.rates.data(), data_.strideRates);
-        if (options_.reconstruction == reconstructionType::full)
+        if
+        (
+            !data_.variational
+         && options_.reconstruction == reconstructionType::full
+        )
         {
             symmetry_.symmetrise
             (
@@ -693,7 +792,7 @@ Foam::scalar Foam::solidBody::timeScale()
         shortest = min(shortest, timeScaleOf(a));
     }
 
-    waveSumIsConstant_ = !data_.finiteStrain;
+    waveSumIsConstant_ = !data_.finiteStrain && !data_.variational;
     constantTimeScale_ = shortest;
 
     return shortest;
@@ -784,7 +883,17 @@ void Foam::solidBody::restoreMomentum()
 
 void Foam::solidBody::restoreOld()
 {
-    data_.state.assignSolved(data_.old);
+    if (data_.variational)
+    {
+        data_.state.lm = data_.old.lm;
+        data_.state.disp = data_.old.disp;
+        lastStep_ = oldStep_;
+        deform();
+    }
+    else
+    {
+        data_.state.assignSolved(data_.old);
+    }
     data_.state.sinceCommit = 0;
     if (keptCpi_.size())
     {
@@ -834,11 +943,11 @@ Foam::scalar Foam::solidBody::kineticEnergy() const
         if (dual_.sharing().owned()[a])
         {
             scalar pp = 0;
-            for (label i = 0; i < d; ++i) pp += sqr(data_.state.lm[a*d + i]);
+            for (label i = 0; i < d; ++i) pp += sqr(velocity(a, i));
             sum += dual_.nodeVolume()[a]*pp;
         }
     }
-    return sum/(2*data_.rho);
+    return 0.5*data_.rho*sum;
 }
 
 

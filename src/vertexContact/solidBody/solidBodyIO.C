@@ -146,7 +146,11 @@ void Foam::solidBody::readState()
         }
     }
 
-    if (F.valid())
+    if (data_.variational)
+    {
+        deform();
+    }
+    else if (F.valid())
     {
         const auto H =
             s.solvesH
@@ -340,8 +344,8 @@ void Foam::solidBody::write()
         vectorField& U = pointU_.primitiveFieldRef();
         forAll(U, i)
         {
-            U[i] =
-                expand(s.lm.cdata() + dual_.pointNode()[i]*d)/data_.rho;
+            const label a = dual_.pointNode()[i];
+            for (label k = 0; k < d; ++k) U[i][dir[k]] = velocity(a, k);
         }
         pointU_.instance() = time_.timeName();
         pointU_.write();

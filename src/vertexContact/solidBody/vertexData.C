@@ -11,6 +11,7 @@
 Foam::vertexData::vertexData
 (
     const medianDual& dual,
+    const bool variational,
     const kinematicSet kinematics,
     const bool finiteStrain,
     const reconstructionType reconstruction,
@@ -22,6 +23,7 @@ Foam::vertexData::vertexData
 )
 :
     dual(dual),
+    variational(variational),
     finiteStrain(finiteStrain),
     reconstruction(reconstruction),
     limiter(limiter),
@@ -45,7 +47,9 @@ Foam::vertexData::vertexData
     (
         paddedStride
         (
-            dual.nDim() + nSJ + 1
+            variational
+          ? dual.nDim() + dual.nDim()*(dual.nDim() + 1)/2
+          : dual.nDim() + nSJ + 1
           + (
                 reconstruction == reconstructionType::full
               ? dual.nDim()*dual.nDim() : 0
@@ -53,12 +57,17 @@ Foam::vertexData::vertexData
         )
     ),
     W(dual.nNodes()*strideW),
-    grad(dual.nNodes()*strideG*dual.nDim()),
+    grad(variational ? 0 : dual.nNodes()*strideG*dual.nDim()),
     rates(dual.nNodes()*strideRates)
 {
     if (!old.solvesH)
     {
         old.H.clear();
+    }
+    if (variational)
+    {
+        old.F.clear();
+        old.J.clear();
     }
 }
 

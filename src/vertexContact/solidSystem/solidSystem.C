@@ -128,7 +128,12 @@ void Foam::solidSystem::solveBoundaries
     {
         body.prepare(time, moved);
     }
+    solveContact(time, firstStage);
+}
 
+
+void Foam::solidSystem::solveContact(const scalar time, const bool firstStage)
+{
     // Contact: gaps close and open by the status of the latest first stage
     const auto start = std::chrono::steady_clock::now();
     for (contactInterface& contact : interfaces_)
@@ -162,6 +167,11 @@ void Foam::solidSystem::solveBoundaries
 
 void Foam::solidSystem::evaluate(const scalar time, const int stage)
 {
+    if (integrator_.leapfrog())
+    {
+        evaluateForces(time);
+        return;
+    }
     solveBoundaries(time, true, stage == 0);
 
     // One message for all bodies
@@ -191,6 +201,24 @@ void Foam::solidSystem::evaluate(const scalar time, const int stage)
             bodies_[i].addToReserve(all[atDissipated]);
             dissipated_[i] = 0;
         }
+    }
+}
+
+
+void Foam::solidSystem::evaluateForces(const scalar time)
+{
+    // Contact is solved with the velocities that all other forces make
+    for (solidBody& body : bodies_)
+    {
+        body.prepare(time, true);
+        body.computeFluxes(energiesOn_, 0, nullptr);
+        body.finishRates(time, energiesOn_, 0, nullptr);
+        body.predictCorners();
+    }
+    solveContact(time, true);
+    for (solidBody& body : bodies_)
+    {
+        body.addContactForces();
     }
 }
 
@@ -259,6 +287,35 @@ void Foam::solidSystem::complete(const int stage, const updatedPart part)
         );
     }
 
+    settle(nBad);
+}
+
+
+void Foam::solidSystem::leap(const scalar time)
+{
+    const scalar deltaT = runTime_.deltaTValue();
+    const scalar middle = 0.5*(bodies_[0].lastStep() + deltaT);
+    forAll(bodies_, i)
+    {
+        bodies_[i].leap(startOfStep_, deltaT, energiesOn_, accounts_[i]);
+    }
+    for (contactInterface& contact : interfaces_)
+    {
+        contact.accumulate(middle);
+    }
+    evaluate(time, 0);
+
+    label nBad = 0;
+    for (const solidBody& body : bodies_)
+    {
+        nBad += body.nBad();
+    }
+    settle(nBad);
+}
+
+
+void Foam::solidSystem::settle(const label nBad)
+{
     // Outdated pairings and signals share the reduction
     bool outdated = false;
     string lost;
@@ -697,6 +754,11 @@ Foam::solidSystem::solidSystem(Time& runTime)
     oldReserves_.setSize(bodies_.size());
     startReserves();
     readAccounts(record);
+    const scalar lastStep = record.getOrDefault<scalar>("lastStep", 0);
+    for (solidBody& body : bodies_)
+    {
+        body.setLastStep(lastStep);
+    }
     maxEnergyRise_ =
         runTime.controlDict().getOrDefault<scalar>("maxEnergyRise", 0);
     if (maxEnergyRise_ > 0)
@@ -708,6 +770,10 @@ Foam::solidSystem::solidSystem(Time& runTime)
     for (solidBody& body : bodies_)
     {
         body.releaseMeshTables();
+    }
+    if (integrator_.leapfrog())
+    {
+        evaluate(startOfRun_, 0);
     }
 
     // Time::run() compares the end with deltaT, which is not ours before the
@@ -734,6 +800,13 @@ Foam::label Foam::solidSystem::findBody(const word& region) const
 
 void Foam::solidSystem::accountEnergies()
 {
+    if (!energiesOn_ && integrator_.leapfrog())
+    {
+        energiesOn_ = true;
+        evaluate(runTime_.value(), 0);
+        energiesOn_ = false;
+    }
+
     // Works and dissipation count from now
     if (!energiesOn_ && !accountsContinued_)
     {
@@ -752,14 +825,25 @@ Foam::solidSystem::energies Foam::solidSystem::bodyEnergies
     const label i
 ) const
 {
+    // To the time of the state, half a step after the last of the leapfrog
+    solidBody::powers accounts(accounts_[i]);
+    if (energiesOn_ && integrator_.leapfrog())
+    {
+        const solidBody::powers p(bodies_[i].presentPowers());
+        const scalar half = 0.5*bodies_[i].lastStep();
+        accounts.numericalDissipation += half*p.numericalDissipation;
+        accounts.external += half*p.external;
+        accounts.contact += half*p.contact;
+    }
+
     energies e;
     e.kinetic = returnReduce(bodies_[i].kineticEnergy(), sumOp<scalar>());
     e.strain = returnReduce(bodies_[i].strainEnergy(), sumOp<scalar>());
     e.numericalDissipation =
-        returnReduce(accounts_[i].numericalDissipation, sumOp<scalar>());
-    e.plasticDissipation = returnReduce(accounts_[i].plastic, sumOp<scalar>());
-    e.externalWork = returnReduce(accounts_[i].external, sumOp<scalar>());
-    e.contactWork = returnReduce(accounts_[i].contact, sumOp<scalar>());
+        returnReduce(accounts.numericalDissipation, sumOp<scalar>());
+    e.plasticDissipation = returnReduce(accounts.plastic, sumOp<scalar>());
+    e.externalWork = returnReduce(accounts.external, sumOp<scalar>());
+    e.contactWork = returnReduce(accounts.contact, sumOp<scalar>());
     e.balance =
         e.total() - initialEnergy_[i] + e.numericalDissipation
       + e.plasticDissipation - e.externalWork - e.contactWork;
@@ -786,6 +870,10 @@ void Foam::solidSystem::startStep()
     if (contactProperties_.valid() && contactProperties_->changed)
     {
         readLaws();
+        for (solidBody& body : bodies_)
+        {
+            body.forgetRates();
+        }
     }
     if (pairAgain_)
     {
@@ -795,6 +883,10 @@ void Foam::solidSystem::startStep()
             {
                 contact.update(runTime_.value());
             }
+        }
+        for (solidBody& body : bodies_)
+        {
+            body.forgetRates();
         }
         pairAgain_ = false;
         ++nPairings_;
@@ -809,9 +901,13 @@ void Foam::solidSystem::startStep()
     {
         oldStatus_[i] = bodies_[i].contact().status;
         oldReserves_[i] = bodies_[i].reserve();
-        if (maxEnergyRise_ > 0)
+        if (maxEnergyRise_ > 0 || integrator_.leapfrog())
         {
             bodies_[i].keepPlasticity();
+        }
+        if (integrator_.leapfrog())
+        {
+            bodies_[i].keepOld();
         }
     }
     forAll(interfaces_, i)
@@ -820,7 +916,17 @@ void Foam::solidSystem::startStep()
         oldImpulses_[i].second() = interfaces_[i].plusImpulse();
     }
 
-    evaluate(startOfStep_, 0);
+    // With the leapfrog the last step did, unless the state was written or the
+    // bodies were paired since: then as a run does that is started from it
+    bool evaluated = integrator_.leapfrog();
+    for (const solidBody& body : bodies_)
+    {
+        evaluated = evaluated && body.evaluated();
+    }
+    if (!evaluated)
+    {
+        evaluate(startOfStep_, 0);
+    }
 
     // A fixed step needs it only where the Courant number is printed
     const dictionary& control = runTime_.controlDict();
@@ -854,6 +960,17 @@ void Foam::solidSystem::finishStep()
     const auto start = std::chrono::steady_clock::now();
     const scalar time = runTime_.value();
     const int last = integrator_.nStages() - 1;
+    if (integrator_.leapfrog())
+    {
+        leap(time);
+        if (maxEnergyRise_ > 0)
+        {
+            checkEnergy();
+        }
+        ++steps_;
+        stepSeconds_ += secondsSince(start);
+        return;
+    }
 
     for (int stage = 0; stage < last; ++stage)
     {

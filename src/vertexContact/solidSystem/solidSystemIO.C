@@ -82,6 +82,22 @@ void Foam::solidSystem::checkIntegrator() const
             }
         }
     }
+    for (const solidBody& body : bodies_)
+    {
+        if (body.variational() != integrator_.leapfrog())
+        {
+            FatalIOErrorInFunction(runTime_.controlDict())
+                << "Keyword 'timeIntegrator': "
+                << timeIntegrator::names[integrator_.type()]
+                << " does not go with preset " << preset::names[preset_.name]
+                << ". Valid integrators for it: "
+                << (
+                       body.variational()
+                     ? "(leapfrog)" : "(TVDRK2 TVDRK3 symplecticEuler)"
+                   )
+                << exit(FatalIOError);
+        }
+    }
     if (!integrator_.split()) return;
 
     for (const solidBody& body : bodies_)
@@ -515,23 +531,33 @@ bool Foam::solidSystem::writeData(Ostream& os) const
     }
     IOstream::defaultPrecision(digits);
 
+    // The run goes on as one that is started from here does
+    for (solidBody& body : self.bodies_)
+    {
+        body.forgetRates();
+    }
+
     // Reduced here, since every rank writes
-    const List<energies> e(computeEnergies());
+    const auto total = [](const scalar share)
+    {
+        return returnReduce(share, sumOp<scalar>());
+    };
 
     OStringStream text;
     text.precision(17);
     text<< "time " << runTime_.value() << ';' << nl
+        << "lastStep " << bodies_[0].lastStep() << ';' << nl
         << "energiesOn " << (energiesOn_ ? "yes" : "no") << ';' << nl;
     forAll(bodies_, i)
     {
         text<< "region_" << bodies_[i].name() << nl << '{' << nl
             << "    initialEnergy " << initialEnergy_[i] << ';' << nl
-            << "    numericalDissipation " << e[i].numericalDissipation
+            << "    numericalDissipation "
+            << total(accounts_[i].numericalDissipation) << ';' << nl
+            << "    plasticDissipation " << total(accounts_[i].plastic)
             << ';' << nl
-            << "    plasticDissipation " << e[i].plasticDissipation
-            << ';' << nl
-            << "    externalWork " << e[i].externalWork << ';' << nl
-            << "    contactWork " << e[i].contactWork << ';' << nl;
+            << "    externalWork " << total(accounts_[i].external) << ';' << nl
+            << "    contactWork " << total(accounts_[i].contact) << ';' << nl;
         if (bodies_[i].keepsReserve())
         {
             text<< "    reserve " << bodies_[i].reserve().values() << ';' << nl

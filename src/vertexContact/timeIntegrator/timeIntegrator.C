@@ -13,6 +13,7 @@ const Foam::Enum<Foam::integratorType> Foam::timeIntegrator::names
     { integratorType::TVDRK2, "TVDRK2" },
     { integratorType::TVDRK3, "TVDRK3" },
     { integratorType::symplecticEuler, "symplecticEuler" },
+    { integratorType::leapfrog, "leapfrog" },
 });
 
 

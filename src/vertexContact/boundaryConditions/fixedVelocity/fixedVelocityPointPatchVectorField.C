@@ -60,6 +60,8 @@ public:
 
     bool contact() const { return false; }
 
+    vector velocity(const scalar time) const { return velocity_(time); }
+
     void solve(const scalar time, cornerStates& c) const
     {
         const vector vWall = velocity_(time);

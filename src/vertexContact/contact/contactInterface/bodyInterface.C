@@ -102,6 +102,173 @@ void Foam::bodyInterface::resize()
 }
 
 
+void Foam::bodyInterface::send()
+{
+    const solidBody& body = *plus_.body;
+    const cornerStates& P = body.corners(plus_.patchi);
+    const scalarField& depth = body.depth(plus_.patchi);
+    const pointField& points = body.mesh().points();
+
+    sent_.setSize(P.size());
+    forAll(sent_, k)
+    {
+        cornerMessage& m = sent_[k];
+        const label node = P.geometry.cornerNode[k];
+        const vector x(body.position(node));
+        const vector X(points[body.dual().nodePoint()[node]]);
+        for (direction i = 0; i < 3; ++i)
+        {
+            m[i] = P.v[k][i];
+            m[3 + i] = P.t[k][i];
+            m[6 + i] = P.n[k][i];
+            m[9 + i] = x[i];
+            m[15 + i] = X[i];
+        }
+        m[12] = P.stretch[k];
+        m[13] = P.waveFactor[k];
+        m[14] = depth[k];
+    }
+    pairing_->toSlots(sent_);
+}
+
+
+void Foam::bodyInterface::solveForces(const bool firstStage)
+{
+    solidBody& body = *minus_.body;
+    cornerStates& M = body.corners(minus_.patchi);
+    cornerStates& P = plus_.body->corners(plus_.patchi);
+    const scalarField& depth = body.depth(minus_.patchi);
+    const List<contactOverlap>& overlaps = pairing_->overlaps();
+    const scalar deltaT = body.lastStep();
+    const bool bonded = law().bonded();
+
+    forAll(problems_, o)
+    {
+        const contactOverlap& over = overlaps[o];
+        contactLaw::problem& p = problems_[o];
+
+        cornerMessage m(scalar(0));
+        for (label j = 0; j < over.plus.size; ++j)
+        {
+            const cornerMessage& c = sent_[over.plus.corner[j]];
+            forAll(m, i) m[i] += over.plus.value[j]*c[i];
+        }
+        vector x(Zero), X(Zero);
+        for (label j = 0; j < over.minus.size; ++j)
+        {
+            const label node =
+                M.geometry.cornerNode[over.minus.corner[j]];
+            x += over.minus.value[j]*body.position(node);
+            if (bonded)
+            {
+                X +=
+                    over.minus.value[j]
+                   *body.mesh().points()[body.dual().nodePoint()[node]];
+            }
+        }
+        const vector between(vector(m[9], m[10], m[11]) - x);
+        const bool opposed = contactOverlaps::commonNormal
+        (
+            over.minus(M.n), vector(m[6], m[7], m[8]), p.n
+        );
+
+        // The reference gap lies along the normal
+        vector shift(Zero);
+        p.gap = between & p.n;
+        if (bonded)
+        {
+            const vector atFirst(vector(m[15], m[16], m[17]) - X);
+            shift = between - p.gap*p.n;
+            p.gap -= mag(atFirst)*sign(atFirst & referenceNormal(over));
+        }
+
+        const scalar minusStretch = over.minus(M.stretch);
+        p.minus.v = over.minus(M.v);
+        p.minus.zp = M.zp;
+        p.minus.zs = M.zs;
+        p.plus.v = vector(m[0], m[1], m[2]);
+        p.plus.zp = P.zp;
+        p.plus.zs = P.zs;
+        p.area = 0.5*(over.minus.area + over.plus.area);
+
+        const contactLayer layer
+        (
+            layerSide(body, over.minus(depth)),
+            layerSide(*plus_.body, m[14])
+        );
+        layer.set
+        (
+            p, 0.5*(minusStretch + m[12]), opposed, bonded, shift, deltaT
+        );
+        if (opposed && p.gap < -lostDepth*over.depth && closed_[o])
+        {
+            lose(minus_, over.minus.corner[0], -p.gap, over.depth);
+        }
+    }
+
+    solveProblems();
+
+    answers_.setSize(pairing_->nSlots());
+    answers_ = noPlusMessage();
+    forAll(problems_, o)
+    {
+        const contactOverlap& over = overlaps[o];
+        const contactLaw::problem& p = problems_[o];
+        count(p, over.width, p.area, p.area);
+
+        const answerMessage toMinus(answer(p, p.area, over.minus.area));
+        const answerMessage toPlus(plusAnswer(p, p.area, over.plus.area));
+        setState(minus_, over.minus.corner[0], toMinus, firstStage);
+        plusMessage told(noPlusMessage());
+        forAll(toPlus, i) told[i] = toPlus[i];
+        combineAnswers()(answers_[over.plus.corner[0]], told);
+        if (p.result.state == acousticRiemann::status::open)
+        {
+            continue;
+        }
+
+        // The transpose of what interpolated positions and velocities
+        const vector force(p.area*p.result.t);
+        for (label j = 0; j < over.minus.size; ++j)
+        {
+            M.force[over.minus.corner[j]] += over.minus.value[j]*force;
+        }
+        for (label j = 0; j < over.plus.size; ++j)
+        {
+            plusMessage& f = answers_[over.plus.corner[j]];
+            for (label i = 0; i < 3; ++i)
+            {
+                f[9 + i] -= over.plus.value[j]*force[i];
+            }
+        }
+    }
+
+    pairing_->toCorners(answers_, combineAnswers(), noPlusMessage());
+    for (label k = 0; k < P.size(); ++k)
+    {
+        const plusMessage& f = answers_[k];
+        answerMessage state;
+        forAll(state, i) state[i] = f[i];
+        setState(plus_, k, state, firstStage);
+        P.force[k] += vector(f[9], f[10], f[11]);
+    }
+}
+
+
+Foam::vector Foam::bodyInterface::referenceNormal
+(
+    const contactOverlap& over
+) const
+{
+    const solidBody& body = *minus_.body;
+    const dualPatch& patch = body.corners(minus_.patchi).geometry;
+    return body.expand
+    (
+        patch.cornerNormal.cdata() + body.dual().nDim()*over.minus.corner[0]
+    );
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::bodyInterface::bodyInterface
@@ -117,6 +284,13 @@ Foam::bodyInterface::bodyInterface
     twoWay_(readTwoWay(dict)),
     pairing_(contactPairing::New(dict, minus_, plus_))
 {
+    if (twoWay_ && minus_.body->variational())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Keyword 'transfer': twoWay belongs to the paper's scheme, "
+            << "'preset paper' in controlDict. Valid transfers: (conservative)"
+            << exit(FatalIOError);
+    }
     resize();
 }
 
@@ -171,29 +345,15 @@ void Foam::bodyInterface::solve(const scalar, const bool firstStage)
         return;
     }
 
+    send();
+    if (minus_.body->variational())
+    {
+        solveForces(firstStage);
+        return;
+    }
+
     cornerStates& M = minus_.body->corners(minus_.patchi);
     cornerStates& P = plus_.body->corners(plus_.patchi);
-
-    // States of the plus side to where the minus side is
-    sent_.setSize(P.size());
-    forAll(sent_, k)
-    {
-        cornerMessage& m = sent_[k];
-        const vector x
-        (
-            plus_.body->position(P.geometry.cornerNode[k])
-        );
-        for (direction i = 0; i < 3; ++i)
-        {
-            m[i] = P.v[k][i];
-            m[3 + i] = P.t[k][i];
-            m[6 + i] = P.n[k][i];
-            m[9 + i] = x[i];
-        }
-        m[12] = P.stretch[k];
-        m[13] = P.waveFactor[k];
-    }
-    pairing_->toSlots(sent_);
 
     // The Riemann problem of each overlap, per current area
     const List<contactOverlap>& overlaps = pairing_->overlaps();

@@ -111,6 +111,17 @@ Foam::contactInterface::answerMessage Foam::contactInterface::plusAnswer
 }
 
 
+Foam::contactLayer::side Foam::contactInterface::layerSide
+(
+    const solidBody& body,
+    const scalar depth
+)
+{
+    const materialModel& m = body.material();
+    return contactLayer::side{depth, m.rho(), m.cp(), m.cs()};
+}
+
+
 void Foam::contactInterface::setTouching
 (
     contactLaw::problem& p,

@@ -67,6 +67,60 @@ Foam::scalar Foam::obstacleInterface::obstacleMoved() const
 }
 
 
+void Foam::obstacleInterface::solveForces(const bool firstStage)
+{
+    solidBody& body = *side_.body;
+    cornerStates& M = body.corners(side_.patchi);
+    const scalarField& depth = body.depth(side_.patchi);
+    const septernion& pose = motion_.pose();
+    const scalar deltaT = body.lastStep();
+
+    forAll(planes_, i)
+    {
+        const label k = planes_[i].corner;
+        contactLaw::problem& p = problems_[i];
+        const point x(body.position(M.geometry.cornerNode[k]));
+        const point X(pose.invTransformPoint(x));
+
+        p.minus.v = M.v[k];
+        p.minus.zp = M.zp;
+        p.minus.zs = M.zs;
+        p.plus.v = motion_.velocity(X);
+        p.plus.zp = rigid*p.minus.zp;
+        p.plus.zs = rigid*max(p.minus.zs, VSMALL);
+        p.area = M.geometry.cornerArea[k];
+        p.n = -pose.r().transform(planes_[i].n);
+        p.gap = (X - planes_[i].x) & planes_[i].n;
+
+        const contactLayer layer(layerSide(body, depth[k]), {});
+        layer.set
+        (
+            p, M.stretch[k], (M.n[k] & p.n) > 0.1, law().bonded(),
+            vector::zero, deltaT
+        );
+        if (closed_[i] && p.gap < -depth[k])
+        {
+            lose(side_, k, -p.gap, depth[k]);
+        }
+    }
+
+    solveProblems();
+
+    forAll(planes_, i)
+    {
+        const label k = planes_[i].corner;
+        const contactLaw::problem& p = problems_[i];
+        count(p, width_[k], p.area, p.area);
+        const answerMessage told(answer(p, p.area, M.geometry.cornerArea[k]));
+        setState(side_, k, told, firstStage);
+        if (p.result.state != acousticRiemann::status::open)
+        {
+            M.force[k] += p.area*p.result.t;
+        }
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::obstacleInterface::obstacleInterface
@@ -260,6 +314,12 @@ void Foam::obstacleInterface::solve(const scalar time, const bool firstStage)
     const scalar waveSpeed = side_.body->material().cp();
     motion_.setTime(time);
     const septernion& pose = motion_.pose();
+
+    if (side_.body->variational())
+    {
+        solveForces(firstStage);
+        return;
+    }
 
     forAll(planes_, i)
     {

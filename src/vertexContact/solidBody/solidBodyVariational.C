@@ -1,0 +1,437 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+-------------------------------------------------------------------------------
+Description
+    The variational scheme of a body: the passes of variationalKernel in their
+    order, with sums over processors and mirrors; the leapfrog; works; the
+    bound of the step.
+
+\*---------------------------------------------------------------------------*/
+
+#include "solidBody.H"
+#include "solidBoundaryCondition.H"
+#include "largestEigenvalue.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::solidBody::findFixedNodes()
+{
+    // A node of several such patches has the velocity of the first one; also
+    // on ranks that have none of its faces there
+    scalarField patchOf(dual_.nNodes(), GREAT);
+    for (const dualPatch& patch : dual_.patches())
+    {
+        const label patchi = patch.patchIndex;
+        if (!corners_.set(patchi) || !condition(patchi).fixesVelocity())
+        {
+            continue;
+        }
+        for (const label a : patch.cornerNode)
+        {
+            patchOf[a] = min(patchOf[a], scalar(patchi));
+        }
+    }
+    dual_.sharing().min(patchOf.data(), 1);
+
+    DynamicList<label> nodes, patches;
+    forAll(patchOf, a)
+    {
+        if (patchOf[a] < 0.1*GREAT)
+        {
+            nodes.append(a);
+            patches.append(label(patchOf[a] + 0.5));
+        }
+    }
+    fixedNodes_.transfer(nodes);
+    fixedPatch_.transfer(patches);
+}
+
+
+void Foam::solidBody::completeTensors
+(
+    scalar* data,
+    const label stride,
+    const label columnStride,
+    const label offset
+) const
+{
+    if (symmetry_.active())
+    {
+        const label d = dual_.nDim();
+        labelList place(d*d);
+        for (label i = 0; i < d; ++i)
+        {
+            for (label j = 0; j < d; ++j)
+            {
+                place[i*d + j] = offset + j*columnStride + i;
+            }
+        }
+        symmetry_.symmetrise(data, stride, place);
+    }
+}
+
+
+void Foam::solidBody::boundFrequencies()
+{
+    const label d = dual_.nDim();
+    const label n = dual_.nNodes();
+
+    // Of each node its own weight, and the sum of all weights of its value
+    scalarField sums(2*n*d), columns(n*d), own(n*d);
+    variational_->boundColumns(data_, *x_, sums);
+    dual_.sharing().sum(sums.data(), 2*d);
+    for (label a = 0; a < n; ++a)
+    {
+        for (label j = 0; j < d; ++j)
+        {
+            own[a*d + j] = mag(sums[2*a*d + j]);
+            columns[a*d + j] = own[a*d + j] + sums[(2*a + 1)*d + j];
+        }
+    }
+    scalarField& bound = x_->geometricBound;
+    variational_->boundRows(data_, *x_, columns, bound);
+    dual_.sharing().sum(bound.data(), 1);
+    scalar largest = 0;
+    for (label a = 0; a < n; ++a)
+    {
+        for (label j = 0; j < d; ++j)
+        {
+            bound[a] +=
+                own[a*d + j]*columns[a*d + j]/sqr(dual_.nodeVolume()[a]);
+        }
+        largest = max(largest, bound[a]);
+    }
+    reduce(largest, maxOp<scalar>());
+
+    for (label e = 0; e < 2*dual_.nEdges(); ++e)
+    {
+        x_->perEdges[dual_.edgeNodes()[e]] += 1;
+    }
+    dual_.sharing().sum(x_->perEdges.data(), 1);
+    for (scalar& n : x_->perEdges) n = 1/n;
+
+    // What the operator has, to four digits: not the last bits, which depend
+    // on the number of processors
+    const scalar ratio = largestEigenvalue(data_, *x_, symmetry_)/largest;
+    boundRatio_ = std::ceil(1e4*ratio)/1e4;
+}
+
+
+Foam::scalar Foam::solidBody::variationalTimeScaleOf(const label node) const
+{
+    // Of x' = v, m v' = -k x - c v with lagged v: stable up to
+    // dt^2 k/(4 m) + dt c/(2 m) = 1, here with bounds of both
+    const scalar square =
+        boundRatio_*sqr(data_.cp)
+       *x_->geometricBound[node]*variational_->stiffening(data_, node);
+    const scalar damping = 0.5*variational_->damping(data_, node);
+    return 2*(std::sqrt(sqr(damping) + square) - damping)/square;
+}
+
+
+void Foam::solidBody::deform()
+{
+    variationalData& x = *x_;
+    const label d = dual_.nDim();
+    const label sC = variationalData::columnStride(d);
+
+    variational_->collect(data_, x);
+    variational_->gradients(x, data_);
+    dual_.sharing().sum(x.grad.data(), d*x.strideU);
+    completeTensors(x.grad.data(), d*x.strideU, x.strideU, 0);
+    completeTensors(x.grad.data(), d*x.strideU, x.strideU, d);
+    nBad_ = variational_->deform(x, data_);
+
+    variational_->correct(x, data_);
+    if (x.beta > 0)
+    {
+        dual_.sharing().sum
+        (
+            {{x.correction.data(), d*sC}, {x.roughness.data(), 2}}
+        );
+        completeTensors(x.correction.data(), d*sC, sC, 0);
+    }
+    else
+    {
+        dual_.sharing().sum(x.roughness.data(), 2);
+    }
+    nBad_ += variational_->kinematics(data_, x);
+    for (const scalar p : data_.state.lm)
+    {
+        if (!std::isfinite(p)) ++nBad_;
+    }
+
+    if (x.smoothed) smoothVolume(x.jacobian, data_.state.J);
+}
+
+
+void Foam::solidBody::smoothVolume
+(
+    const scalarField& from,
+    scalarField& to
+)
+{
+    // S = 2 M - M^2
+    variationalData& x = *x_;
+    const label n = dual_.nNodes();
+    const auto mean = [&]
+    {
+        variational_->smooth(x, data_);
+        dual_.sharing().sum(x.average.data(), 1);
+        for (label a = 0; a < n; ++a) x.average[a] += x.jacobian[a];
+    };
+    if (&from != &x.jacobian) x.jacobian = from;
+    mean();
+    for (label a = 0; a < n; ++a) to[a] = 2*x.average[a];
+    x.jacobian = x.average;
+    mean();
+    for (label a = 0; a < n; ++a) to[a] -= x.average[a];
+}
+
+
+void Foam::solidBody::computeForces(const bool energy)
+{
+    variationalData& x = *x_;
+    const label d = dual_.nDim();
+    const label sC = variationalData::columnStride(d);
+    const label sA = 2*d*sC;
+
+    if (energy && x.dissipative.empty())
+    {
+        x.dissipative.setSize(dual_.nNodes()*d, Zero);
+    }
+    if (x.smoothed)
+    {
+        // SigmaJ where it acts, S SigmaJ, in place of that of the smoothed J
+        scalarField SigmaJ(dual_.nNodes());
+        forAll(SigmaJ, a) SigmaJ[a] = data_.W[a*data_.strideW + d];
+        scalarField acting(SigmaJ);
+        smoothVolume(SigmaJ, acting);
+        x.jacobian = acting;
+        variational_->addPressure(data_, x);
+    }
+
+    variational_->fluxes(data_, x);
+    dual_.sharing().sum(x.adjoint.data(), sA);
+    variational_->collectAdjoint(x);
+    completeTensors(x.adjoint.data(), sA, sC, 0);
+    completeTensors(x.adjoint.data(), sA, sC, d*sC);
+    variational_->stresses(x, data_);
+    variational_->forces(data_, x, energy);
+
+    externalForce_ = Zero;
+    for (const dualPatch& patch : dual_.patches())
+    {
+        const label patchi = patch.patchIndex;
+        if
+        (
+            patch.nFaces() && corners_.set(patchi)
+         && !condition(patchi).fixesVelocity()
+         && !condition(patchi).contact()
+        )
+        {
+            variational_->addTractions
+            (
+                data_, patch, corners_[patchi], externalForce_
+            );
+        }
+    }
+    for (label a = 0; a < dual_.nNodes(); ++a)
+    {
+        scalar* rate = data_.rates.data() + a*data_.strideRates;
+        for (label i = 0; i < d; ++i) rate[i] += externalForce_[a*d + i];
+    }
+    dual_.sharing().sum(data_.rates.data(), data_.strideRates);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::solidBody::predictCorners()
+{
+    if (!hasContact_) return;
+    const label d = dual_.nDim();
+    const scalar share = lastStep_/data_.rho;
+    forAll(corners_, patchi)
+    {
+        if (!corners_.set(patchi) || !condition(patchi).contact()) continue;
+        cornerStates& c = corners_[patchi];
+        forAll(c.v, k)
+        {
+            const label a = c.geometry.cornerNode[k];
+            const scalar* rate = data_.rates.cdata() + a*data_.strideRates;
+            for (label i = 0; i < d; ++i)
+            {
+                c.v[k][dual_.directions()[i]] =
+                    data_.W[a*data_.strideW + i] + share*rate[i];
+            }
+        }
+    }
+}
+
+
+void Foam::solidBody::addContactForces()
+{
+    if (!hasContact_) return;
+    const label d = dual_.nDim();
+    scalarField sum(dual_.nNodes()*d, Zero);
+    forAll(corners_, patchi)
+    {
+        if (corners_.set(patchi) && condition(patchi).contact())
+        {
+            variational_->addTractions
+            (
+                data_, dual_.patches()[patchi], corners_[patchi], sum
+            );
+        }
+    }
+    contactForce_ = sum;
+    dual_.sharing().sum(sum.data(), d);
+    if (symmetry_.active()) symmetry_.project(sum.data(), d);
+    for (const label a : fixedNodes_)
+    {
+        for (label i = 0; i < d; ++i)
+        {
+            if (dual_.sharing().owned()[a]) externalForce_[a*d + i] -= sum[a*d + i];
+            sum[a*d + i] = 0;
+        }
+    }
+    for (label a = 0; a < dual_.nNodes(); ++a)
+    {
+        scalar* rate = data_.rates.data() + a*data_.strideRates;
+        for (label i = 0; i < d; ++i) rate[i] += sum[a*d + i];
+    }
+}
+
+
+void Foam::solidBody::react()
+{
+    const label d = dual_.nDim();
+    for (const label a : fixedNodes_)
+    {
+        const bool owned = dual_.sharing().owned()[a];
+        scalar* rate = data_.rates.data() + a*data_.strideRates;
+        for (label i = 0; i < d; ++i)
+        {
+            if (owned) externalForce_[a*d + i] -= rate[i];
+            rate[i] = 0;
+        }
+    }
+}
+
+
+Foam::solidBody::powers Foam::solidBody::powersOf
+(
+    const scalarField& velocity
+) const
+{
+    const label d = dual_.nDim();
+    powers p;
+    for (label a = 0; a < dual_.nNodes(); ++a)
+    {
+        const scalar V = dual_.nodeVolume()[a];
+        for (label i = 0; i < d; ++i)
+        {
+            const scalar Vv = V*velocity[a*d + i];
+            p.external += externalForce_[a*d + i]*Vv;
+            if (hasContact_) p.contact += contactForce_[a*d + i]*Vv;
+            if (x_->dissipative.size())
+            {
+                p.numericalDissipation -= x_->dissipative[a*d + i]*Vv;
+            }
+        }
+    }
+    return p;
+}
+
+
+Foam::solidBody::powers Foam::solidBody::presentPowers() const
+{
+    if (!evaluated_) return powers();
+    const label d = dual_.nDim();
+    scalarField v(dual_.nNodes()*d);
+    for (label a = 0; a < dual_.nNodes(); ++a)
+    {
+        for (label i = 0; i < d; ++i) v[a*d + i] = velocity(a, i);
+    }
+    return powersOf(v);
+}
+
+
+void Foam::solidBody::keepOld()
+{
+    data_.old.lm = data_.state.lm;
+    data_.old.disp = data_.state.disp;
+    oldStep_ = lastStep_;
+}
+
+
+void Foam::solidBody::leap
+(
+    const scalar time,
+    const scalar deltaT,
+    const bool energy,
+    powers& accounts
+)
+{
+    const label d = dual_.nDim();
+    const scalar half = 0.5*(lastStep_ + deltaT);
+    scalar* lm = data_.state.lm.data();
+    scalar* disp = data_.state.disp.data();
+    const scalar perRho = 1/data_.rho;
+
+    for (label a = 0; a < dual_.nNodes(); ++a)
+    {
+        const scalar* rate = data_.rates.cdata() + a*data_.strideRates;
+        for (label i = 0; i < d; ++i) lm[a*d + i] += half*rate[i];
+    }
+    forAll(fixedNodes_, k)
+    {
+        const label a = fixedNodes_[k];
+        const vector v
+        (
+            condition(fixedPatch_[k]).velocity(time + 0.5*deltaT)
+        );
+        for (label i = 0; i < d; ++i)
+        {
+            lm[a*d + i] = data_.rho*v[dual_.directions()[i]];
+        }
+    }
+    if (symmetry_.active()) symmetry_.project(lm, d);
+    for (label k = 0; k < dual_.nNodes()*d; ++k)
+    {
+        disp[k] += deltaT*perRho*lm[k];
+    }
+
+    if (energy)
+    {
+        // With the mean of both velocities the works of all forces are the
+        // growth of the kinetic energy, exactly
+        scalarField v(data_.old.lm);
+        forAll(v, k) v[k] = 0.5*perRho*(v[k] + lm[k]);
+        const powers p(powersOf(v));
+        accounts.numericalDissipation += half*p.numericalDissipation;
+        accounts.external += half*p.external;
+        accounts.contact += half*p.contact;
+        for (const label a : fixedNodes_)
+        {
+            if (dual_.sharing().owned()[a])
+            {
+                for (label i = 0; i < d; ++i)
+                {
+                    accounts.external +=
+                        dual_.nodeVolume()[a]*v[a*d + i]
+                       *(lm[a*d + i] - data_.old.lm[a*d + i]);
+                }
+            }
+        }
+    }
+    data_.state.sinceCommit = deltaT;
+    lastStep_ = deltaT;
+    evaluated_ = false;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,170 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "variationalKernelTemplate.H"
+#include "ListOps.H"
+#include <cmath>
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::variationalData::variationalData
+(
+    const vertexData& d,
+    const scalar beta,
+    const scalar epsilon,
+    const bool smoothed
+)
+:
+    beta(beta),
+    epsilon(epsilon),
+    smoothed(smoothed),
+    strideU(paddedStride(2*d.nDim())),
+    U(d.nNodes()*strideU),
+    grad(d.nNodes()*d.nDim()*strideU),
+    inverse(d.finiteStrain ? d.nNodes()*d.nDim()*d.nDim() : 0, Zero),
+    correction
+    (
+        beta > 0 ? d.nNodes()*d.nDim()*columnStride(d.nDim()) : label(0)
+    ),
+    roughness(2*d.nNodes(), Zero),
+    perEdges(d.nNodes(), Zero),
+    adjoint(2*d.nNodes()*d.nDim()*columnStride(d.nDim())),
+    T(d.nNodes()*d.nDim()*columnStride(d.nDim())),
+    jacobian(smoothed ? d.nNodes() : 0, scalar(1)),
+    average(smoothed ? d.nNodes() : 0, scalar(1)),
+    geometricBound(d.nNodes(), Zero)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::variationalData::addPairs(const dualPatch& patch, const label nDim)
+{
+    for (label f = 0; f < patch.nFaces(); ++f)
+    {
+        const label start = patch.faceStart[f];
+        const label nf = patch.faceStart[f + 1] - start;
+        const scalar* w =
+            patch.weightVectors.cdata() + nDim*patch.weightStart[f];
+        for (label p = 0; p < nf; ++p)
+        {
+            for (label j = p + 1; j < nf; ++j)
+            {
+                const label a = patch.cornerNode[start + p];
+                const label b = patch.cornerNode[start + j];
+                pairNodes.append(min(a, b));
+                pairNodes.append(max(a, b));
+
+                // Both nodes have the same weight of each other's value, of
+                // which either sees the difference
+                for (label i = 0; i < nDim; ++i)
+                {
+                    pairArea.append(w[nDim*(p*nf + j) + i]);
+                }
+            }
+        }
+    }
+}
+
+
+void Foam::variationalData::joinPairs(const label nDim)
+{
+    const label n = pairNodes.size()/2;
+    labelList order(n);
+    forAll(order, i) order[i] = i;
+    std::stable_sort
+    (
+        order.begin(), order.end(),
+        [&](const label p, const label q)
+        {
+            return
+                pairNodes[2*p] != pairNodes[2*q]
+              ? pairNodes[2*p] < pairNodes[2*q]
+              : pairNodes[2*p + 1] < pairNodes[2*q + 1];
+        }
+    );
+    labelList nodes(2*n);
+    scalarField area(n*nDim, Zero);
+    label last = -1;
+    for (const label p : order)
+    {
+        if
+        (
+            last < 0
+         || nodes[2*last] != pairNodes[2*p]
+         || nodes[2*last + 1] != pairNodes[2*p + 1]
+        )
+        {
+            ++last;
+            nodes[2*last] = pairNodes[2*p];
+            nodes[2*last + 1] = pairNodes[2*p + 1];
+        }
+        for (label i = 0; i < nDim; ++i)
+        {
+            area[last*nDim + i] += pairArea[p*nDim + i];
+        }
+    }
+    nodes.setSize(2*(last + 1));
+    area.setSize((last + 1)*nDim);
+    pairNodes.transfer(nodes);
+    pairArea = area;
+}
+
+
+std::size_t Foam::variationalData::bytes() const
+{
+    return
+        sizeof(label)*std::size_t(pairNodes.size())
+      + sizeof(scalar)
+       *std::size_t
+        (
+            pairArea.size() + U.size() + grad.size() + inverse.size()
+          + correction.size() + roughness.size() + perEdges.size() + adjoint.size() + T.size() + jacobian.size()
+          + average.size() + dissipative.size() + geometricBound.size()
+        );
+}
+
+
+Foam::scalar Foam::largestSlope(const scalar beta)
+{
+    // d/dt sin t (1 + beta (1 - cos t)) = 0 is a quadratic equation for cos t:
+    // (1 + beta) c - beta (2 c^2 - 1) = 0
+    if (beta <= 0) return 1;
+    const scalar c =
+        (1 + beta - std::sqrt(sqr(1 + beta) + 8*sqr(beta)))/(4*beta);
+    return std::sqrt(1 - c*c)*(1 + beta*(1 - c));
+}
+
+
+// * * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+// Each dimension is compiled in a file of its own
+extern template autoPtr<variationalKernel>
+newVariationalKernel<1>(const vertexData&);
+extern template autoPtr<variationalKernel>
+newVariationalKernel<2>(const vertexData&);
+extern template autoPtr<variationalKernel>
+newVariationalKernel<3>(const vertexData&);
+
+}
+
+
+Foam::autoPtr<Foam::variationalKernel> Foam::variationalKernel::New
+(
+    const vertexData& d
+)
+{
+    return withDirections(d.nDim(), [&](auto D)
+    {
+        return newVariationalKernel<D.value>(d);
+    });
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,15 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "variationalKernelTemplate.C"
+
+// * * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * //
+
+template Foam::autoPtr<Foam::variationalKernel>
+Foam::newVariationalKernel<1>(const vertexData&);
+
+
+// ************************************************************************* //
