@@ -65,9 +65,6 @@ inline variationalKernelTemplate<D, finite>::edgeMotion::edgeMotion
     const scalar* La,
     const scalar* Lb
 )
-:
-    jj(0),
-    mm(0)
 {
     for (int i = 0; i < D; ++i)
     {
@@ -75,28 +72,23 @@ inline variationalKernelTemplate<D, finite>::edgeMotion::edgeMotion
         if (finite) dx[i] += Ub[i] - Ua[i];
     }
 
-    // By the mean of L, and by its symmetric part
-    scalar S[D][D];
-    for (int j = 0; j < D; ++j)
-    {
-        for (int i = 0; i < D; ++i)
-        {
-            S[i][j] = 0.5*(La[j*sU + i] + Lb[j*sU + i]);
-        }
-    }
+    scalar xx = 0, along = 0, jumpAlong = 0;
     for (int i = 0; i < D; ++i)
     {
-        scalar all = 0, even = 0;
+        scalar change = 0;
         for (int j = 0; j < D; ++j)
         {
-            all += S[i][j]*dx[j];
-            even += 0.5*(S[i][j] + S[j][i])*dx[j];
+            change += 0.5*(La[j*sU + i] + Lb[j*sU + i])*dx[j];
         }
-        jump[i] = Ub[D + i] - Ua[D + i] - all;
-        change[i] = even;
-        jj += jump[i]*jump[i];
-        mm += even*even;
+        jump[i] = Ub[D + i] - Ua[D + i] - change;
+        xx += dx[i]*dx[i];
+        along += change*dx[i];
+        jumpAlong += jump[i]*dx[i];
     }
+    perLength2 = 1/xx;
+    stretching = along*perLength2;
+    jj = jumpAlong*jumpAlong*perLength2;
+    mm = along*along*perLength2;
 }
 
 
@@ -527,7 +519,7 @@ void variationalKernelTemplate<D, finite>::fluxes
             grad + a*sU*D + D, grad + b*sU*D + D
         );
         const scalar* dx = m.dx;
-        const scalar leftOut = jumpSensor::leftOut
+        const scalar leftOut = jumpSensor::leftOut<D>
         (
             rough[2*a]*perEdges[a], rough[2*b]*perEdges[b],
             rough[2*a + 1]*perEdges[a], rough[2*b + 1]*perEdges[b]
@@ -536,7 +528,7 @@ void variationalKernelTemplate<D, finite>::fluxes
         scalar jump[D];
         for (int i = 0; i < D; ++i)
         {
-            jump[i] = m.jump[i] + leftOut*m.change[i];
+            jump[i] = m.jump[i] + leftOut*m.stretching*dx[i];
         }
 
         // Waves, along and across their direction (34a), (65)
@@ -577,15 +569,17 @@ void variationalKernelTemplate<D, finite>::fluxes
             rates[b*sR + i] -= s[i];
         }
 
-        // Adjoint of the jump: -((1 + theta) s dx - (1 - theta) dx s)/4
-        const scalar own = -0.25*(2 - leftOut), other = 0.25*leftOut;
-        for (int j = 0; j < D; ++j)
+        // Adjoint of the jump
+        scalar sx = 0;
+        for (int i = 0; i < D; ++i) sx += s[i]*dx[i];
+        const scalar left = leftOut*sx*m.perLength2;
+        for (int i = 0; i < D; ++i)
         {
-            for (int i = 0; i < D; ++i)
+            const scalar zi = -0.5*(s[i] - left*dx[i]);
+            for (int j = 0; j < D; ++j)
             {
-                const scalar z = own*s[i]*dx[j] + other*dx[i]*s[j];
-                Xa[sT + j*sC + i] += z;
-                Xb[sT + j*sC + i] += z;
+                Xa[sT + j*sC + i] += zi*dx[j];
+                Xb[sT + j*sC + i] += zi*dx[j];
             }
         }
     }
