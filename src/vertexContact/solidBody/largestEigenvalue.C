@@ -30,7 +30,10 @@ class scalarLaplacian
     void complete(scalarField& g) const
     {
         d_.dual.sharing().sum(g.data(), nDim_);
-        if (symmetry_.active()) symmetry_.symmetrise(g.data(), nDim_, place_);
+        if (symmetry_.active())
+        {
+            symmetry_.symmetrise(g.data(), nDim_, place_, 1);
+        }
     }
 
     scalar along(const label e, const scalarField& g) const

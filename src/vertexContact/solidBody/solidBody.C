@@ -288,14 +288,14 @@ void Foam::solidBody::symmetriseGradients()
     }
 
     scalar* grad = data_.grad.data();
-    symmetry_.symmetrise(grad, stride, ofVector);
+    symmetry_.symmetrise(grad, stride, ofVector, 2);
     if (data_.nSJ && data_.nG > d)
     {
-        symmetry_.symmetrise(grad, stride, ofScalar);
+        symmetry_.symmetrise(grad, stride, ofScalar, 1);
     }
     if (options_.reconstruction == reconstructionType::full)
     {
-        symmetry_.symmetrise(grad, stride, ofTensor);
+        symmetry_.symmetrise(grad, stride, ofTensor, 3);
     }
 }
 
@@ -786,7 +786,12 @@ Foam::scalar Foam::solidBody::timeScale()
         return constantTimeScale_;
     }
 
-    scalar shortest = GREAT;
+    // Of large strains no edge loses more than a third of its length in a
+    // step: what is bounded here is the stiffness at its start
+    scalar shortest =
+        data_.variational && data_.finiteStrain
+      ? 1/(3*x_->closing + VSMALL)
+      : GREAT;
     for (label a = 0; a < dual_.nNodes(); ++a)
     {
         shortest = min(shortest, timeScaleOf(a));

@@ -68,7 +68,7 @@ void Foam::solidBody::completeTensors
                 place[i*d + j] = offset + j*columnStride + i;
             }
         }
-        symmetry_.symmetrise(data, stride, place);
+        symmetry_.symmetrise(data, stride, place, 2);
     }
 }
 
@@ -253,11 +253,15 @@ void Foam::solidBody::predictCorners()
 {
     if (!hasContact_) return;
     const label d = dual_.nDim();
-    const scalar share = lastStep_/data_.rho;
+    const scalar share = contactStep_/data_.rho;
+    contact_.force = vector::zero;
+    contact_.area = Zero;
+    contact_.gap = GREAT;
     forAll(corners_, patchi)
     {
         if (!corners_.set(patchi) || !condition(patchi).contact()) continue;
         cornerStates& c = corners_[patchi];
+        c.force = vector::zero;
         forAll(c.v, k)
         {
             const label a = c.geometry.cornerNode[k];

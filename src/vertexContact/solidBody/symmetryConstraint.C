@@ -249,12 +249,11 @@ void Foam::symmetryConstraint::symmetrise
 (
     scalar* data,
     const label stride,
-    const labelUList& place
+    const labelUList& place,
+    const label rank
 ) const
 {
     const label n = place.size();
-    const label rank =
-        n == nDim_ ? 1 : n == nDim_*nDim_ ? 2 : 3;
     FixedList<scalar, 27> T;
 
     forAll(nodes_, i)
@@ -276,7 +275,7 @@ void Foam::symmetryConstraint::symmetrise
     const label stride
 ) const
 {
-    symmetrise(data, stride, identity(nDim_*nDim_));
+    symmetrise(data, stride, identity(nDim_*nDim_), 2);
 }
 
 

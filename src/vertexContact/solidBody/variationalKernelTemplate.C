@@ -87,6 +87,7 @@ inline variationalKernelTemplate<D, finite>::edgeMotion::edgeMotion
     }
     perLength2 = 1/xx;
     stretching = along*perLength2;
+    closing = -(along + jumpAlong)*perLength2;
     jj = jumpAlong*jumpAlong*perLength2;
     mm = along*along*perLength2;
 }
@@ -270,6 +271,7 @@ void variationalKernelTemplate<D, finite>::correct
 
     x.correction = Zero;
     x.roughness = Zero;
+    scalar closing = 0;
     scalar* correction = x.correction.data();
     scalar* rough = x.roughness.data();
 
@@ -304,6 +306,7 @@ void variationalKernelTemplate<D, finite>::correct
             (
                 X + a*D, X + b*D, U + a*sU, U + b*sU, ga + D, gb + D
             );
+            closing = max(closing, m.closing);
             rough[2*a] += m.jj;
             rough[2*a + 1] += m.mm;
             rough[2*b] += m.jj;
@@ -333,6 +336,7 @@ void variationalKernelTemplate<D, finite>::correct
             }
         }
     }
+    x.closing = closing;
 }
 
 

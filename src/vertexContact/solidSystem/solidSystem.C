@@ -213,13 +213,60 @@ void Foam::solidSystem::evaluateForces(const scalar time)
         body.prepare(time, true);
         body.computeFluxes(energiesOn_, 0, nullptr);
         body.finishRates(time, energiesOn_, 0, nullptr);
-        body.predictCorners();
     }
-    solveContact(time, true);
+
+    // Contact is solved for the last step; of a first one, for what it will be
+    const auto solve = [&](const scalar deltaT)
+    {
+        for (solidBody& body : bodies_)
+        {
+            body.setContactStep(deltaT);
+            body.predictCorners();
+        }
+        solveContact(time, true);
+    };
+    const scalar lastStep = bodies_[0].lastStep();
+    solve(lastStep);
+    if (lastStep == 0 && interfaces_.size())
+    {
+        const bool adjusts =
+            runTime_.controlDict().getOrDefault("adjustTimeStep", true);
+        for (label i = 0; i < 2; ++i)
+        {
+            solve
+            (
+                adjusts ? maxCo()*stableStep() : runTime_.deltaTValue()
+            );
+        }
+    }
     for (solidBody& body : bodies_)
     {
         body.addContactForces();
     }
+}
+
+
+Foam::scalar Foam::solidSystem::stableStep()
+{
+    scalar shortest = GREAT;
+    forAll(bodies_, i)
+    {
+        bodyStep_[i] = bodies_[i].timeScale();
+        shortest = min(shortest, bodyStep_[i]);
+    }
+    if (integrator_.leapfrog())
+    {
+        // Surfaces that meet come no closer in a step than edges do
+        for (const contactInterface& contact : interfaces_)
+        {
+            shortest = min
+            (
+                shortest,
+                1/(3*contact.stageStatistics().closing + VSMALL)
+            );
+        }
+    }
+    return returnReduce(shortest, minOp<scalar>());
 }
 
 
@@ -938,13 +985,7 @@ void Foam::solidSystem::startStep()
      || logs(steps_ + 1, startOfStep_ + runTime_.deltaTValue())
     )
     {
-        scalar shortest = GREAT;
-        forAll(bodies_, i)
-        {
-            bodyStep_[i] = bodies_[i].timeScale();
-            shortest = min(shortest, bodyStep_[i]);
-        }
-        timeStepLimit_ = returnReduce(shortest, minOp<scalar>());
+        timeStepLimit_ = stableStep();
         checkTimeStep();
     }
     if (adjusts)

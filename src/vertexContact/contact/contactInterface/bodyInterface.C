@@ -139,7 +139,7 @@ void Foam::bodyInterface::solveForces(const bool firstStage)
     cornerStates& P = plus_.body->corners(plus_.patchi);
     const scalarField& depth = body.depth(minus_.patchi);
     const List<contactOverlap>& overlaps = pairing_->overlaps();
-    const scalar deltaT = body.lastStep();
+    const scalar deltaT = body.contactStep();
     const bool bonded = law().bonded();
 
     forAll(problems_, o)
@@ -200,6 +200,7 @@ void Foam::bodyInterface::solveForces(const bool firstStage)
         (
             p, 0.5*(minusStretch + m[12]), opposed, bonded, shift, deltaT
         );
+        countClosing(p, over.depth);
         if (opposed && p.gap < -lostDepth*over.depth && closed_[o])
         {
             lose(minus_, over.minus.corner[0], -p.gap, over.depth);

@@ -184,6 +184,22 @@ void Foam::contactInterface::lose
 }
 
 
+void Foam::contactInterface::countClosing
+(
+    const contactLaw::problem& p,
+    const scalar depth
+)
+{
+    if (p.touching && !law_->bonded())
+    {
+        statistics_.closing = max
+        (
+            statistics_.closing, ((p.minus.v - p.plus.v) & p.n)/depth
+        );
+    }
+}
+
+
 void Foam::contactInterface::solveProblems()
 {
     // Relative velocities with the closing speed, which leaves the common

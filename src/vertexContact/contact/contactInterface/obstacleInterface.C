@@ -73,7 +73,7 @@ void Foam::obstacleInterface::solveForces(const bool firstStage)
     cornerStates& M = body.corners(side_.patchi);
     const scalarField& depth = body.depth(side_.patchi);
     const septernion& pose = motion_.pose();
-    const scalar deltaT = body.lastStep();
+    const scalar deltaT = body.contactStep();
 
     forAll(planes_, i)
     {
@@ -98,6 +98,7 @@ void Foam::obstacleInterface::solveForces(const bool firstStage)
             p, M.stretch[k], (M.n[k] & p.n) > 0.1, law().bonded(),
             vector::zero, deltaT
         );
+        countClosing(p, depth[k]);
         if (closed_[i] && p.gap < -depth[k])
         {
             lose(side_, k, -p.gap, depth[k]);
