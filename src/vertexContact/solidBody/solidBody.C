@@ -98,11 +98,19 @@ bool isVariational(const schemeOptions& options)
     return options.scheme == schemeType::variational;
 }
 
-//- Poisson's ratio from which on the Jacobian of the energy is smoothed
-constexpr scalar smoothedFrom = 0.45;
+} // End anonymous namespace
 
-//- What the state has besides F: of the variational scheme the smoothed Jacobian
-kinematicSet kinematicsOf
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::solidBody::PoissonsRatio(const materialModel& material)
+{
+    const scalar mu = material.mu(), kappa = material.kappa();
+    return (3*kappa - 2*mu)/(2*(3*kappa + mu));
+}
+
+
+Foam::kinematicSet Foam::solidBody::kinematicsOf
 (
     const schemeOptions& options,
     const materialModel& material
@@ -110,22 +118,17 @@ kinematicSet kinematicsOf
 {
     if (!isVariational(options)) return options.kinematics;
 
-    const scalar mu = material.mu(), kappa = material.kappa();
-    const scalar nu = (3*kappa - 2*mu)/(2*(3*kappa + mu));
     return
         options.volume == volumeTreatment::smoothed
      || (
             options.volume == volumeTreatment::automatic
-         && nu >= smoothedFrom
+         && PoissonsRatio(material) >= smoothedFrom
         )
       ? kinematicSet::FJ
       : kinematicSet::F;
 }
 
-} // End anonymous namespace
 
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::labelList Foam::solidBody::findMirrors
 (

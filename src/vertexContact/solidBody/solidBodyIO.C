@@ -406,6 +406,14 @@ void Foam::solidBody::write()
             "J", dimless, [&](const label a) { return s.J[a]; }
         );
     }
+    else if (data_.variational && data_.finiteStrain)
+    {
+        writeField<scalar>
+        (
+            "J", dimless,
+            [&](const label a) { return det(deformationGradient(a)); }
+        );
+    }
 
     if (material_->plastic())
     {
@@ -493,20 +501,13 @@ std::size_t Foam::solidBody::bytes() const
 }
 
 
-void Foam::solidBody::report(Ostream& os) const
+void Foam::solidBody::reportPaper(Ostream& os) const
 {
     const label d = dual_.nDim();
     const conservedState& s = data_.state;
-    const label nNodes = returnReduce(dual_.nNodes(), sumOp<label>());
-    const scalar allBytes = returnReduce(scalar(bytes()), sumOp<scalar>());
     const auto onOff = [](const bool on) { return on ? "on" : "off"; };
 
-    dual_.report(os);
-    os  << "    material " << material_->type()
-        << ", rho " << material_->rho() << " kg/m3, cp " << material_->cp()
-        << " m/s, cs " << material_->cs() << " m/s" << nl
-        << "    cells " << medianDual::cellTreatmentNames[options_.cells]
-        << ", reconstruction "
+    os  << ", reconstruction "
         << schemeOptions::reconstructionNames[options_.reconstruction]
         << ", limiter " << schemeOptions::limiterNames[options_.limiter]
         << nl
@@ -538,8 +539,43 @@ void Foam::solidBody::report(Ostream& os) const
         << ", limiter " << onOff(options_.limiter != limiterType::none)
         << ", dissipation " << options_.dissipation
         << ", waves " << (stretchedWaves_ ? "stretched" : "linear")
-        << ", angular momentum preserved " << onOff(angularMomentum_.active())
-        << ", gravity " << onOff(mag(max(gravity_)) + mag(min(gravity_)) > 0)
+        << ", angular momentum preserved " << onOff(angularMomentum_.active());
+}
+
+
+void Foam::solidBody::report(Ostream& os) const
+{
+    const label d = dual_.nDim();
+    const conservedState& s = data_.state;
+    const label nNodes = returnReduce(dual_.nNodes(), sumOp<label>());
+    const scalar allBytes = returnReduce(scalar(bytes()), sumOp<scalar>());
+    const auto onOff = [](const bool on) { return on ? "on" : "off"; };
+
+    dual_.report(os);
+    os  << "    material " << material_->type()
+        << ", rho " << material_->rho() << " kg/m3, cp " << material_->cp()
+        << " m/s, cs " << material_->cs() << " m/s" << nl
+        << "    cells " << medianDual::cellTreatmentNames[options_.cells];
+    if (data_.variational)
+    {
+        os  << ", variational scheme, correction " << options_.correction
+            << nl
+            << "    volume " << schemeOptions::volumeNames[options_.volume]
+            << ": Poisson's ratio " << PoissonsRatio(*material_)
+            << ", Jacobian " << (s.solvesJ ? "smoothed" : "of each node")
+            << " (smoothed from " << smoothedFrom << " on)" << nl
+            << "    stored per node: momentum " << d << ", displacement " << d
+            << ", F " << d*d << ", stress " << d*d + data_.nSJ
+            << " components" << nl
+            << "    largest frequency " << largestFrequency()
+            << " 1/s (undeformed), dissipation " << options_.dissipation
+            << " to 1";
+    }
+    else
+    {
+        reportPaper(os);
+    }
+    os  << ", gravity " << onOff(mag(max(gravity_)) + mag(min(gravity_)) > 0)
         << ", body forces";
     for (const bodyForce& force : bodyForces_)
     {

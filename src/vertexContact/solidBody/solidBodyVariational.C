@@ -119,6 +119,14 @@ void Foam::solidBody::boundFrequencies()
 }
 
 
+Foam::scalar Foam::solidBody::largestFrequency() const
+{
+    const scalar largest =
+        returnReduce(max(x_->geometricBound), maxOp<scalar>());
+    return data_.cp*std::sqrt(boundRatio_*largest);
+}
+
+
 Foam::scalar Foam::solidBody::variationalTimeScaleOf(const label node) const
 {
     // Of x' = v, m v' = -k x - c v with lagged v: stable up to
@@ -163,31 +171,23 @@ void Foam::solidBody::deform()
         if (!std::isfinite(p)) ++nBad_;
     }
 
-    if (x.smoothed) smoothVolume(x.jacobian, data_.state.J);
+    if (x.smoothed)
+    {
+        smoothJacobian();
+        data_.state.J = x.jacobian;
+    }
 }
 
 
-void Foam::solidBody::smoothVolume
-(
-    const scalarField& from,
-    scalarField& to
-)
+void Foam::solidBody::smoothJacobian()
 {
-    // S = 2 M - M^2
     variationalData& x = *x_;
-    const label n = dual_.nNodes();
-    const auto mean = [&]
+    for (label pass = 0; pass < 2; ++pass)
     {
         variational_->smooth(x, data_);
         dual_.sharing().sum(x.average.data(), 1);
-        for (label a = 0; a < n; ++a) x.average[a] += x.jacobian[a];
-    };
-    if (&from != &x.jacobian) x.jacobian = from;
-    mean();
-    for (label a = 0; a < n; ++a) to[a] = 2*x.average[a];
-    x.jacobian = x.average;
-    mean();
-    for (label a = 0; a < n; ++a) to[a] -= x.average[a];
+        forAll(x.average, a) x.jacobian[a] += x.average[a];
+    }
 }
 
 
@@ -205,11 +205,8 @@ void Foam::solidBody::computeForces(const bool energy)
     if (x.smoothed)
     {
         // SigmaJ where it acts, S SigmaJ, in place of that of the smoothed J
-        scalarField SigmaJ(dual_.nNodes());
-        forAll(SigmaJ, a) SigmaJ[a] = data_.W[a*data_.strideW + d];
-        scalarField acting(SigmaJ);
-        smoothVolume(SigmaJ, acting);
-        x.jacobian = acting;
+        forAll(x.jacobian, a) x.jacobian[a] = data_.W[a*data_.strideW + d];
+        smoothJacobian();
         variational_->addPressure(data_, x);
     }
 
@@ -298,7 +295,10 @@ void Foam::solidBody::addContactForces()
     {
         for (label i = 0; i < d; ++i)
         {
-            if (dual_.sharing().owned()[a]) externalForce_[a*d + i] -= sum[a*d + i];
+            if (dual_.sharing().owned()[a])
+            {
+                externalForce_[a*d + i] -= sum[a*d + i];
+            }
             sum[a*d + i] = 0;
         }
     }

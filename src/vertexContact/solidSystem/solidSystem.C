@@ -589,7 +589,9 @@ void Foam::solidSystem::stopOnBadState()
     (
         "The state is not finite or has a Jacobian that is not positive",
         where,
-        "a smaller maxCo, 'reconstruction linear' or a finer mesh where the "
+        integrator_.leapfrog()
+      ? "a smaller maxCo or a finer mesh where the deformation is largest."
+      : "a smaller maxCo, 'reconstruction linear' or a finer mesh where the "
         "deformation is largest."
     );
 }
@@ -658,7 +660,9 @@ void Foam::solidSystem::checkEnergy()
     (
         os.str(),
         where,
-        "a smaller maxCo, 'reconstruction linear', which never gains energy, "
+        integrator_.leapfrog()
+      ? "a smaller maxCo, or 'cells simplicial'."
+      : "a smaller maxCo, 'reconstruction linear', which never gains energy, "
         "or 'cells simplicial'."
     );
 }

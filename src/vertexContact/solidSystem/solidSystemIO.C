@@ -63,7 +63,11 @@ Foam::timeIntegrator Foam::solidSystem::readIntegrator
 
 void Foam::solidSystem::checkIntegrator() const
 {
-    if (integrator_.type() != integratorType::TVDRK3)
+    if
+    (
+        !integrator_.leapfrog()
+     && integrator_.type() != integratorType::TVDRK3
+    )
     {
         for (const solidBody& body : bodies_)
         {
@@ -116,6 +120,9 @@ void Foam::solidSystem::checkIntegrator() const
 
 void Foam::solidSystem::checkImpacts() const
 {
+    // The speed of waves follows the stretch anyway
+    if (integrator_.leapfrog()) return;
+
     const auto meanVelocity = [](const solidBody& body)
     {
         return
@@ -348,8 +355,13 @@ void Foam::solidSystem::checkDissipation(const List<energies>& all)
                 << "Region " << bodies_[i].name() << " has gained "
                 << 100*share << " % of its energy from the fluxes, which "
                 << "ought to take some (numericalDissipation < 0)." << nl
-                << "    Likely cures: 'reconstruction linear', which does not "
-                << "gain energy; more than three cells across the body."
+                << "    Likely cures: "
+                << (
+                       integrator_.leapfrog()
+                     ? "a smaller maxCo."
+                     : "'reconstruction linear', which does not gain energy; "
+                       "more than three cells across the body."
+                   )
                 << endl;
         }
     }
