@@ -240,8 +240,8 @@ Foam::scalar Foam::largestEigenvalue
     const symmetryConstraint& symmetry
 )
 {
-    constexpr label mostSteps = 60;
-    constexpr scalar enough = 1e-3;
+    // A fixed number: the end by a tolerance would depend on round-off
+    constexpr label steps = 60;
 
     scalarLaplacian L(d, x, symmetry);
     const label n = d.nNodes(), nDim = d.nDim();
@@ -262,26 +262,24 @@ Foam::scalar Foam::largestEigenvalue
     u /= std::sqrt(L.product(u, u));
 
     scalarList diagonal, side;
-    scalar before = 0;
-    for (label k = 0; k < mostSteps; ++k)
+    scalar latest = 0;
+    for (label k = 0; k < steps; ++k)
     {
         L.apply(u, y);
         diagonal.append(L.product(u, y));
-        const scalar latest = largestOfTridiagonal(diagonal, side);
-        if (k > 10 && latest - before < enough*latest/5) return latest;
-        before = latest;
+        latest = largestOfTridiagonal(diagonal, side);
 
         forAll(y, a)
         {
             y[a] -= diagonal.last()*u[a] + (k ? side.last()*last[a] : 0);
         }
         const scalar norm = std::sqrt(L.product(y, y));
-        if (norm <= 1e-12*latest) return latest;
+        if (norm <= 1e-12*latest) break;
         side.append(norm);
         last = u;
         forAll(u, a) u[a] = y[a]/norm;
     }
-    return before;
+    return latest;
 }
 
 

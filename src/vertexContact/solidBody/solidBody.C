@@ -592,7 +592,16 @@ Foam::symmTensor Foam::solidBody::CauchyStress(const label node) const
         if (!used) dir[next++] = c;
     }
 
-    const tensor local(material_->CauchyStress(data_.state, node));
+    tensor local(material_->CauchyStress(data_.state, node));
+    if (x_.valid() && x_->smoothed && evaluated_)
+    {
+        // The pressure that acts
+        local +=
+            (
+                x_->jacobian[node]
+              - data_.W[node*data_.strideW + dual_.nDim()]
+            )*tensor(tensor::I);
+    }
     tensor sigma(Zero);
     for (label i = 0; i < 3; ++i)
     {

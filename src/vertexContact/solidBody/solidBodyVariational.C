@@ -112,10 +112,19 @@ void Foam::solidBody::boundFrequencies()
     dual_.sharing().sum(x_->perEdges.data(), 1);
     for (scalar& n : x_->perEdges) n = 1/n;
 
-    // What the operator has, to four digits: not the last bits, which depend
-    // on the number of processors
+    if (x_->smoothed)
+    {
+        x_->volumeImpedance = data_.rho*data_.cp*max
+        (
+            scalar(0), 1 - 5*material_->mu()/material_->kappa()
+        );
+        findFilter();
+    }
+
+    // What the operator has, rounded up to two digits: not the last bits, which
+    // depend on the number of processors
     const scalar ratio = largestEigenvalue(data_, *x_, symmetry_)/largest;
-    boundRatio_ = std::ceil(1e4*ratio)/1e4;
+    boundRatio_ = std::ceil(1e2*ratio)/1e2;
 }
 
 
@@ -134,7 +143,15 @@ Foam::scalar Foam::solidBody::variationalTimeScaleOf(const label node) const
     const scalar square =
         boundRatio_*sqr(data_.cp)
        *x_->geometricBound[node]*variational_->stiffening(data_, node);
-    const scalar damping = 0.5*variational_->damping(data_, node);
+    scalar damping = 0.5*variational_->damping(data_, node);
+    if (x_->smoothed)
+    {
+        // Of the waves of largest frequency half is in the differences
+        const scalar h = std::pow(dual_.nodeVolume()[node], 1.0/dual_.nDim());
+        damping +=
+            0.5*(0.06 + 0.25)*h*square*x_->volumeImpedance
+           /(data_.rho*sqr(data_.cp));
+    }
     return 2*(std::sqrt(sqr(damping) + square) - damping)/square;
 }
 
@@ -182,12 +199,57 @@ void Foam::solidBody::deform()
 void Foam::solidBody::smoothJacobian()
 {
     variationalData& x = *x_;
-    for (label pass = 0; pass < 2; ++pass)
+    const auto removed = [&]
+    {
+        // w (1 - M)
+        variational_->smooth(x, data_);
+        dual_.sharing().sum(x.average.data(), 1);
+        for (scalar& r : x.average) r *= -x.filter;
+    };
+    removed();
+    x.unsmoothed = x.jacobian;
+    x.jacobian = x.average;
+    removed();
+    forAll(x.jacobian, a) x.jacobian[a] = x.unsmoothed[a] - x.average[a];
+}
+
+
+void Foam::solidBody::findFilter()
+{
+    // Power method for the largest eigenvalue of 1 - M, of which the start has
+    // all directions; rounded up to two digits
+    variationalData& x = *x_;
+    forAll(x.jacobian, a)
+    {
+        scalar phase = 0;
+        for (label j = 0; j < dual_.nDim(); ++j)
+        {
+            phase +=
+                (j + 1)*17.3*dual_.nodePosition()[a*dual_.nDim() + j]
+               /std::pow(dual_.nodeVolume()[a], 1.0/dual_.nDim());
+        }
+        x.jacobian[a] = std::sin(phase);
+    }
+    scalar largest = 0;
+    for (label pass = 0; pass < 40; ++pass)
     {
         variational_->smooth(x, data_);
         dual_.sharing().sum(x.average.data(), 1);
-        forAll(x.average, a) x.jacobian[a] += x.average[a];
+        scalar before = 0, after = 0;
+        forAll(x.average, a)
+        {
+            if (dual_.sharing().owned()[a])
+            {
+                before += dual_.nodeVolume()[a]*sqr(x.jacobian[a]);
+                after += dual_.nodeVolume()[a]*sqr(x.average[a]);
+            }
+        }
+        reduce(before, sumOp<scalar>());
+        reduce(after, sumOp<scalar>());
+        largest = std::sqrt(after/before);
+        forAll(x.average, a) x.jacobian[a] = -x.average[a]/largest;
     }
+    x.filter = 1/(std::ceil(1e2*largest)/1e2);
 }
 
 
@@ -212,7 +274,7 @@ void Foam::solidBody::computeForces(const bool energy)
 
     variational_->fluxes(data_, x);
     dual_.sharing().sum(x.adjoint.data(), sA);
-    variational_->collectAdjoint(x);
+    variational_->collectAdjoint(x, data_);
     completeTensors(x.adjoint.data(), sA, sC, 0);
     completeTensors(x.adjoint.data(), sA, sC, d*sC);
     variational_->stresses(x, data_);

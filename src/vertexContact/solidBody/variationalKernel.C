@@ -35,6 +35,7 @@ Foam::variationalData::variationalData
     T(d.nNodes()*d.nDim()*columnStride(d.nDim())),
     jacobian(smoothed ? d.nNodes() : 0, scalar(1)),
     average(smoothed ? d.nNodes() : 0, scalar(1)),
+    unsmoothed(average),
     geometricBound(d.nNodes(), Zero)
 {}
 
@@ -123,7 +124,7 @@ std::size_t Foam::variationalData::bytes() const
         (
             pairArea.size() + U.size() + grad.size() + inverse.size()
           + correction.size() + roughness.size() + perEdges.size() + adjoint.size() + T.size() + jacobian.size()
-          + average.size() + dissipative.size() + geometricBound.size()
+          + average.size() + unsmoothed.size() + dissipative.size() + geometricBound.size()
         );
 }
 

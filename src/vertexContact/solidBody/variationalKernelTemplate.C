@@ -535,6 +535,27 @@ void variationalKernelTemplate<D, finite>::fluxes
             jump[i] = m.jump[i] + leftOut*m.stretching*dx[i];
         }
 
+        // Differences of the rate of the volume
+        if (x.volumeImpedance > 0)
+        {
+            scalar Cr = 0, rr = 0, difference = 0;
+            for (int j = 0; j < D; ++j)
+            {
+                const scalar r = X[b*D + j] - X[a*D + j];
+                Cr += C[j]*r;
+                rr += r*r;
+                difference +=
+                    grad[(a*D + j)*sU + D + j] - grad[(b*D + j)*sU + D + j];
+            }
+            const scalar q =
+                0.25*x.volumeImpedance*Cr*std::sqrt(rr)/(D + 1)*difference;
+            for (int j = 0; j < D; ++j)
+            {
+                Xa[sT + j*sC + j] += q;
+                Xb[sT + j*sC + j] -= q;
+            }
+        }
+
         // Waves, along and across their direction (34a), (65)
         const SolidVector<D> c = waveArea(d.state, a, b, C);
         scalar cc = 0, CC = 0, jc = 0;
@@ -593,14 +614,24 @@ void variationalKernelTemplate<D, finite>::fluxes
 template<int D, bool finite>
 void variationalKernelTemplate<D, finite>::collectAdjoint
 (
-    variationalData& x
+    variationalData& x,
+    const vertexData& d
 ) const
 {
-    const label n = x.adjoint.size()/(2*sT);
-    for (label a = 0; a < n; ++a)
+    const scalar* V = d.dual.nodeVolume().cdata();
+    for (label a = 0; a < d.nNodes(); ++a)
     {
         scalar* A = x.adjoint.data() + a*2*sT;
         scalar* Z = A + sT;
+        if (x.volumeImpedance > 0)
+        {
+            const scalar* L = x.grad.cdata() + a*D*sU + D;
+            scalar rate = 0;
+            for (int j = 0; j < D; ++j) rate += L[j*sU + j];
+            const scalar h = std::pow(V[a], scalar(1)/D);
+            const scalar q = 0.06*x.volumeImpedance*h*V[a]*rate;
+            for (int j = 0; j < D; ++j) Z[j*sC + j] += q;
+        }
         if constexpr (finite)
         {
             // Z (G x)^-T

@@ -1,0 +1,287 @@
+"""The variational scheme: what it conserves, to round-off, what it dissipates,
+and how bodies come to rest on each other."""
+
+import numpy as np
+import pytest
+
+from smallCases import (ELASTIC, RUBBER, Body, SmallCase, condition, coulomb,
+                        distorted, interface, largest, table)
+
+STEEP = dict(RUBBER, nu=0.4995)             # the Jacobian is smoothed
+SPEED = np.sqrt((1 - 0.4)/((1 + 0.4)*(1 - 0.8)))
+HARD = dict(RUBBER, nu=0.4)                 # c_p = SPEED
+
+
+def case(folder, bodies, endTime, control=None, every=None, **more):
+    """A case of the default scheme."""
+    functions = {name: {"type": name, "libs": "(vertexContact)",
+                        **({"writeControl": "timeStep",
+                            "writeInterval": every} if every else {})}
+                 for name in ("solidEnergies", "contactForces")
+                 if name == "solidEnergies" or more.get("interfaces")}
+    return SmallCase(folder, bodies, endTime, control={
+        "preset": "balanced", "maxCo": 0.9, "logInterval": 100000,
+        "functions": functions, **(control or {})}, **more)
+
+
+def angularMomentum(run):
+    return np.array([run.momentum[f"total:L{c}"] for c in "xyz"]).T
+
+
+def rough(dimensions, spin=0.1, noise=0.02, seed=1):
+    """A rotation and a velocity that is different at each point."""
+    def velocity(X):
+        place = np.round(X[:, :dimensions]*1e6).astype(int)
+        _, which = np.unique(place, axis=0, return_inverse=True)
+        random = np.random.default_rng(seed).standard_normal(
+            (which.max() + 1, 3))[which.ravel()]
+        v = spin*np.cross((0, 0, 1), X - 0.5) + noise*random
+        v[:, dimensions:] = 0
+        return v
+    return velocity
+
+
+@pytest.mark.parametrize("cells, material", (
+    ((6,), RUBBER), ((6, 6), RUBBER), ((3, 3, 3), RUBBER), ((5, 5, 5), STEEP),
+    ((4, 4, 4), ELASTIC)), ids=str)
+def test_conservation(tmp_path, figures, cells, material):
+    """A free, distorted body with a rough motion: linear and angular momentum
+    to round-off, and an energy that only falls, by what is accounted for."""
+    n = len(cells)
+    run = case(tmp_path, Body(cells, material=material, velocity=rough(n),
+                              moved=distorted(0.4, dimensions=n)), 50,
+               every=10).run()
+    p, L, E = run.momentumOf(), angularMomentum(run), run.totalEnergy
+    with figures(f"variational, free {cells}, {material['type']}") as f:
+        f.atMost("change of the momentum / (mass speed)",
+                 largest(p - p[0])/0.1, 1e-14)
+        if material is not ELASTIC:         # rotations are not its own
+            f.atMost("change of the angular momentum / (mass speed size)",
+                     largest(L - L[0])/0.1, 1e-14)
+        f.atMost("largest energy / initial - 1", E.max()/E[0] - 1, 1e-6)
+        f.atMost("balance / initial energy",
+                 largest(run.energies["total:balance"])/E[0], 2e-3)
+
+
+def test_energy_is_of_second_order(tmp_path, figures):
+    """The residual of the energy balance, with all dissipation accounted for,
+    falls with the square of the step."""
+    def residual(maxCo):
+        def velocity(X):
+            return 0.3*np.sin(np.pi*X[:, :1])*np.array((1.0, 0.5, 0))
+        run = case(tmp_path/str(maxCo), Body((8, 8), velocity=velocity), 4,
+                   {"maxCo": maxCo}, every=1).run()
+        return (largest(run.energies["total:balance"])
+                / run.totalEnergy[0])
+    coarse, fine = residual(0.4), residual(0.2)
+    with figures("variational, balance") as f:
+        f.within("order of the balance", np.log2(coarse/fine), 2, 0.3)
+        f.atMost("balance / initial energy at maxCo 0.2", fine, 1e-3)
+
+
+@pytest.mark.parametrize("material", (RUBBER, STEEP), ids=("0.3", "0.4995"))
+def test_superposed_velocity(tmp_path, figures, material):
+    """A thousand metres per second more change nothing."""
+    def sigma(speed):
+        def velocity(X):
+            return rough(2)(X) + np.array((speed, 0, 0))
+        run = case(tmp_path/f"{speed}",
+                   Body((4, 4), material=material, velocity=velocity,
+                        moved=distorted(0.3, dimensions=2)), 2,
+                   {"adjustTimeStep": "no", "deltaT": 0.001}).run()
+        return run.at("sigma")
+    still, moving = sigma(0), sigma(1000)
+    with figures("variational, 1000 m/s") as f:
+        f.atMost("change of the stress / largest",
+                 largest(moving - still)/largest(still), 1e-9)
+
+
+def test_rotated_and_mirrored(tmp_path, figures):
+    """A body turned by 90 degrees, or its mirror image, does the same: the
+    diagonals and the bound of the step have no direction."""
+    def velocity(X, turn):
+        x, y = X[:, 0] - 0.5, X[:, 1] - 0.5
+        if turn == "rotated":
+            x, y = y, -x
+        if turn == "mirrored":
+            x = -x
+        u = 0.2*np.sin(2*x + y) + 0.1*x
+        v = 0.1*np.cos(3*x)*y
+        out = np.zeros_like(X)
+        out[:, 0], out[:, 1] = u, v
+        if turn == "rotated":
+            out[:, 0], out[:, 1] = -v, u
+        if turn == "mirrored":
+            out[:, 0] = -u
+        return out
+
+    def energies(turn):
+        run = case(tmp_path/turn, Body(
+            (6, 6), velocity=lambda X: velocity(X, turn)), 3).run()
+        return run.energies["total:strain"][-1]
+    plain = energies("plain")
+    with figures("variational, rotated and mirrored") as f:
+        for turn in ("rotated", "mirrored"):
+            f.within(f"strain energy, {turn} / plain", energies(turn)/plain,
+                     1, 1e-11)
+
+
+def test_long_rotation(tmp_path, figures):
+    """Forty turns of a free block gain nothing."""
+    with figures("variational, forty turns") as f:
+        for cells in ((3, 3, 3), (6, 6)):
+            run = case(tmp_path/str(len(cells)), Body(
+                cells, velocity=lambda X: 0.2*np.cross((0, 0, 1), X - 0.5)),
+                80*np.pi/0.2, every=100).run()
+            E, L = run.totalEnergy, angularMomentum(run)
+            f.atMost(f"{cells}: largest rise of the energy / initial",
+                     (E - np.minimum.accumulate(E)).max()/E[0], 1e-4)
+            f.atMost(f"{cells}: change of the angular momentum / initial",
+                     largest(L - L[0])/largest(L[0]), 1e-11)
+
+
+def test_loaded_for_a_while(tmp_path, figures):
+    """A traction that comes and goes leaves no strain where the waves have
+    died, and F is the gradient of the displacement: the strain energy is that
+    of what still swings."""
+    pull = condition("traction", traction=table(
+        (0, (0, 0, 0)), (1, (0.05, 0, 0)), (2, (0, 0, 0)), (1e6, (0, 0, 0))))
+    body = Body((3, 3), sides={"right": pull, "left": condition(
+        "fixedVelocity", velocity=(0, 0, 0))})
+    run = case(tmp_path, body, 4000, every=50).run()
+    E = run.totalEnergy
+    with figures("variational, load and release") as f:
+        f.atMost("energy at the end / largest", E[-1]/E.max(), 1e-2)
+        f.atMost("largest energy in the last half / at its start",
+                 E[len(E)//2:].max()/E[len(E)//2], 1 + 1e-9)
+
+
+def test_work_of_a_moving_clamp(tmp_path, figures):
+    """A clamp that bends a beam and then holds it: its work is the energy of
+    the beam, of which no more than what swings on the mesh is lost."""
+    bend = table((0, (0, 0.02, 0)), (5, (0, 0.02, 0)), (5.01, (0, 0, 0)),
+                 (1e6, (0, 0, 0)))
+    body = Body((20, 8), size=(1, 0.4, 1), sides={
+        "left": condition("fixedVelocity", velocity=(0, 0, 0)),
+        "right": condition("fixedVelocity", velocity=bend)})
+    run = case(tmp_path, body, 100, every=10).run()
+    t, E = run.energies["Time"], run.totalEnergy
+    held = np.interp((5.1, 100), t, E)
+    work = run.energies["total:externalWork"]
+    with figures("variational, bent and held") as f:
+        f.atMost("energy lost while held / energy", 1 - held[1]/held[0], 0.01)
+        f.atMost("work while held / energy",
+                 abs(np.interp(5.1, t, work)/work[-1] - 1), 1e-3)
+        f.atMost("balance / energy",
+                 largest(run.energies["total:balance"])/held[0], 2e-3)
+
+
+FLOOR = {"type": "plane", "planeType": "pointAndNormal",
+         "pointAndNormalDict": {"point": (0, 0, 0), "normal": (0, 1, 0)}}
+CLAMP = {"bottom": condition("fixedVelocity", velocity=(0, 0, 0))}
+
+
+@pytest.mark.parametrize("on, law, counts, ratio, weight", (
+    ("plane", coulomb(0.5), (4, 4), 0, 0.05),
+    ("body", coulomb(0.5), (4, 4), 1, 0.005),
+    ("body", coulomb(0.5), (4, 4), 3, 0.05),
+    ("body", coulomb(0), (4, 4), 2, 0.05),
+    ("body", {"type": "tied"}, (4, 4), 1.5, 0.05),
+    ("body", coulomb(0.5), (2, 2, 2), 2, 0.005)))
+def test_rest(tmp_path, figures, on, law, counts, ratio, weight):
+    """A block on a plane or on a deformable base, whatever its mesh, comes to
+    rest, stays there, and gains nothing."""
+    tied = law["type"] == "tied"
+    block = Body(counts, name="block", sides={"bottom": "contact"})
+    base = Body((round(ratio*counts[0]) or 1, *counts[1:]), name="base",
+                start=(-0.5, -1, 0), size=(2, 1, 1),
+                sides={**CLAMP, "top": "contact"})
+    if on == "plane":
+        touch, more = {"side": ("block", "bottom"), "obstacle": FLOOR,
+                       "law": law}, []
+    else:
+        touch, more = interface(("block", "bottom"), ("base", "top"), law,
+                                pairing="AMI" if tied else "nearestFace"), [
+                                    base]
+    time = 2400.0
+    run = case(tmp_path, [block, *more], time, {"writeInterval": time/4},
+               every=20, interfaces={"contact": touch},
+               gravity=(0, -weight, 0)).run()
+    kinetic = run.energies["total:kinetic"]
+    drift = largest(run.at("pointD", run.times[3], "block")
+                    - run.at("pointD", run.times[2], "block"))*counts[1]
+    with figures(f"variational, rest on {on}, {law}, {counts}, {ratio}, "
+                 f"{weight}") as f:
+        f.atMost("kinetic energy in the last quarter / largest",
+                 kinetic[3*len(kinetic)//4:].max()/kinetic.max(), 1e-10)
+        f.atMost("drift in the last quarter / cell", drift, 1e-6)
+        if not tied:
+            f.atMost("penetration / cell",
+                     run.contact("contact")["penetration"].max()*counts[1],
+                     0.03 if weight < 0.01 else 0.15)
+
+
+@pytest.mark.parametrize("against", ("mirror", "plane", "body"))
+@pytest.mark.parametrize("speed", (0.5, 1.0, 1.2))
+@pytest.mark.parametrize("dimensions", (1, 2))
+def test_strong_shocks(tmp_path, figures, dimensions, speed, against):
+    """A bar hits its mirror image, a wall, or an equal bar, as fast as the
+    waves and faster, with the default settings: behind the shock no
+    saw-tooth."""
+    n = 200 if dimensions == 1 else 80
+    width = n//8
+    cells, size = ((n,), (1, 1, 1)) if dimensions == 1 else (
+        (n, width), (1, width/n, 1))
+    along = {side: "symmetryPlane" for side in ("bottom", "top")}
+    v = speed*SPEED
+
+    def bar(name, start, direction, touching):
+        return Body(cells, name=name, start=(start, 0, 0), size=size,
+                    material=HARD, velocity=(direction*v, 0, 0), sides={
+                        **(along if dimensions > 1 else {}),
+                        ("right" if direction > 0 else "left"): touching})
+    bodies, interfaces = [bar("body", 0, 1, "contact")], None
+    if against == "mirror":
+        bodies = [bar("body", 0, 1, "symmetryPlane")]
+    elif against == "plane":
+        interfaces = {"wall": {"side": ("body", "right"), "obstacle": {
+            **FLOOR, "pointAndNormalDict": {"point": (1, 0, 0),
+                                            "normal": (-1, 0, 0)}}}}
+    else:
+        bodies.append(bar("other", 1, -1, "contact"))
+        interfaces = {"bars": interface(("body", "right"), ("other", "left"))}
+    run = case(tmp_path, bodies, 0.35/(SPEED + v), interfaces=interfaces).run()
+    X = run.X("body")
+    line = np.isclose(X[:, 1], 0) & np.isclose(X[:, 2], 0)
+    x, F = X[line, 0], run.at("F", region="body")[line, 0]
+    behind = F[np.argsort(x)][(np.sort(x) > 0.85) & (np.sort(x) < 0.97)]
+    saw = np.abs(behind[1:-1] - (behind[2:] + behind[:-2])/2)/2
+    E = run.totalEnergy
+    with figures(f"variational, {dimensions}D, {speed} c_p against {against}"
+                 ) as f:
+        f.within("F behind the shock", behind.mean(),
+                 {0.5: 0.5514, 1.0: 0.2831, 1.2: 0.2259}[speed], 2e-3)
+        f.atMost("saw-tooth / strain", saw.max()/(1 - behind.mean()), 3e-3)
+        f.atMost("largest energy / initial - 1", E.max()/E[0] - 1, 1e-6)
+
+
+@pytest.mark.parametrize("cells, limit", ((16, 0.94), (64, 0.97)))
+def test_cradle(tmp_path, figures, cells, limit):
+    """Five equal bars in a row: the last one takes the velocity of the
+    first."""
+    bodies, interfaces = [], {}
+    for i in range(5):
+        sides = {side: "contact" for side, at in (("left", i > 0),
+                                                  ("right", i < 4)) if at}
+        bodies.append(Body((cells,), name=f"b{i}", start=(1.0001*i, 0, 0),
+                           material=ELASTIC, sides=sides,
+                           velocity=(0.0 if i else 0.01, 0, 0)))
+        if i:
+            interfaces[f"i{i}"] = interface((f"b{i - 1}", "right"),
+                                            (f"b{i}", "left"))
+    run = case(tmp_path, bodies, 11, interfaces=interfaces).run()
+    p = run.momentumOf()
+    with figures(f"variational, cradle of {cells}") as f:
+        f.atLeast("velocity of the last / of the first",
+                  run.momentum["b4:px"][-1]/0.01, limit)
+        f.atMost("change of the momentum", largest(p - p[0])/0.01, 1e-13)
