@@ -79,8 +79,10 @@ def test_energy_is_of_second_order(tmp_path, figures):
         f.atMost("balance / initial energy at maxCo 0.2", fine, 1e-3)
 
 
-@pytest.mark.parametrize("material", (RUBBER, STEEP), ids=("0.3", "0.4995"))
-def test_superposed_velocity(tmp_path, figures, material):
+# Round-off of a displacement of 8,000 cells, times kappa/mu
+@pytest.mark.parametrize("material, limit", ((RUBBER, 1e-9), (STEEP, 1e-7)),
+                         ids=("0.3", "0.4995"))
+def test_superposed_velocity(tmp_path, figures, material, limit):
     """A thousand metres per second more change nothing."""
     def sigma(speed):
         def velocity(X):
@@ -93,7 +95,7 @@ def test_superposed_velocity(tmp_path, figures, material):
     still, moving = sigma(0), sigma(1000)
     with figures("variational, 1000 m/s") as f:
         f.atMost("change of the stress / largest",
-                 largest(moving - still)/largest(still), 1e-9)
+                 largest(moving - still)/largest(still), limit)
 
 
 def test_rotated_and_mirrored(tmp_path, figures):
@@ -159,19 +161,19 @@ def test_loaded_for_a_while(tmp_path, figures):
 def test_work_of_a_moving_clamp(tmp_path, figures):
     """A clamp that bends a beam and then holds it: its work is the energy of
     the beam, of which no more than what swings on the mesh is lost."""
-    bend = table((0, (0, 0.02, 0)), (5, (0, 0.02, 0)), (5.01, (0, 0, 0)),
+    bend = table((0, (0, 0, 0)), (15, (0, 0.007, 0)), (30, (0, 0, 0)),
                  (1e6, (0, 0, 0)))
     body = Body((20, 8), size=(1, 0.4, 1), sides={
         "left": condition("fixedVelocity", velocity=(0, 0, 0)),
         "right": condition("fixedVelocity", velocity=bend)})
-    run = case(tmp_path, body, 100, every=10).run()
+    run = case(tmp_path, body, 300, every=10).run()
     t, E = run.energies["Time"], run.totalEnergy
-    held = np.interp((5.1, 100), t, E)
+    held = np.interp((31, 300), t, E)
     work = run.energies["total:externalWork"]
     with figures("variational, bent and held") as f:
         f.atMost("energy lost while held / energy", 1 - held[1]/held[0], 0.01)
         f.atMost("work while held / energy",
-                 abs(np.interp(5.1, t, work)/work[-1] - 1), 1e-3)
+                 abs(np.interp(31, t, work)/work[-1] - 1), 1e-3)
         f.atMost("balance / energy",
                  largest(run.energies["total:balance"])/held[0], 2e-3)
 

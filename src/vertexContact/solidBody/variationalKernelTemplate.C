@@ -957,12 +957,9 @@ void variationalKernelTemplate<D, finite>::boundColumns
     }
     for (label p = 0; p < x.pairNodes.size()/2; ++p)
     {
-        scalar g[D];
         const scalar* B = x.pairArea.cdata() + D*p;
-        for (int j = 0; j < D; ++j) g[j] = B[j];
-        add(x.pairNodes[2*p], x.pairNodes[2*p + 1], g);
-        for (int j = 0; j < D; ++j) g[j] = -g[j];
-        add(x.pairNodes[2*p + 1], x.pairNodes[2*p], g);
+        add(x.pairNodes[2*p], x.pairNodes[2*p + 1], B);
+        add(x.pairNodes[2*p + 1], x.pairNodes[2*p], B);
     }
 }
 
