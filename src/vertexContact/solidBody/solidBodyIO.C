@@ -567,7 +567,7 @@ void Foam::solidBody::report(Ostream& os) const
             << "    stored per node: momentum " << d << ", displacement " << d
             << ", F " << d*d << ", stress " << d*d + data_.nSJ
             << " components" << nl
-            << "    largest frequency " << largestFrequency()
+            << "    largest frequency " << largestFrequency_
             << " 1/s (undeformed), dissipation " << options_.dissipation
             << " to 1";
     }

@@ -78,30 +78,18 @@ void Foam::solidBody::boundFrequencies()
     const label d = dual_.nDim();
     const label n = dual_.nNodes();
 
-    // Of each node its own weight, and the sum of all weights of its value
-    scalarField sums(2*n*d), columns(n*d), own(n*d);
+    scalarField sums(n*(d + 1));
     variational_->boundColumns(data_, *x_, sums);
-    dual_.sharing().sum(sums.data(), 2*d);
-    for (label a = 0; a < n; ++a)
-    {
-        for (label j = 0; j < d; ++j)
-        {
-            own[a*d + j] = mag(sums[2*a*d + j]);
-            columns[a*d + j] = own[a*d + j] + sums[(2*a + 1)*d + j];
-        }
-    }
-    scalarField& bound = x_->geometricBound;
-    variational_->boundRows(data_, *x_, columns, bound);
-    dual_.sharing().sum(bound.data(), 1);
+    dual_.sharing().sum(sums.data(), d + 1);
+    variational_->boundRows(data_, *x_, sums, x_->geometricBound);
+    dual_.sharing().sum(x_->geometricBound.data(), d*(d + 1)/2);
     scalar largest = 0;
     for (label a = 0; a < n; ++a)
     {
-        for (label j = 0; j < d; ++j)
-        {
-            bound[a] +=
-                own[a*d + j]*columns[a*d + j]/sqr(dual_.nodeVolume()[a]);
-        }
-        largest = max(largest, bound[a]);
+        const scalar* K = x_->geometricBound.cdata() + a*d*(d + 1)/2;
+        scalar trace = 0;
+        for (label i = 0, k = 0; i < d; k += d - i, ++i) trace += K[k];
+        largest = max(largest, trace);
     }
     reduce(largest, maxOp<scalar>());
 
@@ -125,14 +113,7 @@ void Foam::solidBody::boundFrequencies()
     // depend on the number of processors
     const scalar ratio = largestEigenvalue(data_, *x_, symmetry_)/largest;
     boundRatio_ = std::ceil(1e2*ratio)/1e2;
-}
-
-
-Foam::scalar Foam::solidBody::largestFrequency() const
-{
-    const scalar largest =
-        returnReduce(max(x_->geometricBound), maxOp<scalar>());
-    return data_.cp*std::sqrt(boundRatio_*largest);
+    largestFrequency_ = data_.cp*std::sqrt(boundRatio_*largest);
 }
 
 
@@ -141,8 +122,7 @@ Foam::scalar Foam::solidBody::variationalTimeScaleOf(const label node) const
     // Of x' = v, m v' = -k x - c v with lagged v: stable up to
     // dt^2 k/(4 m) + dt c/(2 m) = 1, here with bounds of both
     const scalar square =
-        boundRatio_*sqr(data_.cp)
-       *x_->geometricBound[node]*variational_->stiffening(data_, node);
+        boundRatio_*variational_->squaredFrequency(data_, *x_, node);
     scalar damping = 0.5*variational_->damping(data_, node);
     if (x_->smoothed)
     {

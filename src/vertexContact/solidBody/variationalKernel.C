@@ -36,7 +36,7 @@ Foam::variationalData::variationalData
     jacobian(smoothed ? d.nNodes() : 0, scalar(1)),
     average(smoothed ? d.nNodes() : 0, scalar(1)),
     unsmoothed(average),
-    geometricBound(d.nNodes(), Zero)
+    geometricBound(d.nNodes()*d.nDim()*(d.nDim() + 1)/2, Zero)
 {}
 
 

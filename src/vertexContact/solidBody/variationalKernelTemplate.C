@@ -876,31 +876,35 @@ scalar variationalKernelTemplate<D, finite>::largestOf
 
 
 template<int D, bool finite>
-scalar variationalKernelTemplate<D, finite>::stiffening
+scalar variationalKernelTemplate<D, finite>::squaredFrequency
 (
     const vertexData& d,
+    const variationalData& x,
     const label a
 ) const
 {
-    scalar most = 1;
+    const scalar* K = x.geometricBound.cdata() + a*nK;
+    scalar undeformed = 0, most = 0;
+    for (int i = 0, k = 0; i < D; k += D - i, ++i) undeformed += K[k];
+    most = undeformed;
     if constexpr (finite && D > 1)
     {
+        // K : H^T H
         const SolidTensor<D> H = cofactor(loadF<D>(d.state.F.cdata(), a));
-        scalar trace = 0, square = 0;
-        for (int i = 0; i < D; ++i)
+        scalar deformed = 0;
+        for (int i = 0, k = 0; i < D; ++i)
         {
-            for (int j = 0; j < D; ++j)
+            for (int j = i; j < D; ++j, ++k)
             {
-                scalar b = 0;
-                for (int k = 0; k < D; ++k) b += H(k, i)*H(k, j);
-                if (i == j) trace += b;
-                square += b*b;
+                scalar HH = 0;
+                for (int m = 0; m < D; ++m) HH += H(m, i)*H(m, j);
+                deformed += (i == j ? 1 : 2)*HH*K[k];
             }
         }
-        most = max(most, largestOf(trace, square));
+        most = max(most, deformed);
     }
     if (d.waveFactor.size()) most *= d.waveFactor[a]*d.waveFactor[a];
-    return most;
+    return d.cp*d.cp*most;
 }
 
 
@@ -926,41 +930,52 @@ scalar variationalKernelTemplate<D, finite>::damping
 
 
 template<int D, bool finite>
-void variationalKernelTemplate<D, finite>::boundColumns
+template<class Function>
+void variationalKernelTemplate<D, finite>::forWeights
 (
     const vertexData& d,
     const variationalData& x,
-    scalarField& columns
-) const
+    const Function& f
+)
 {
-    // Sums over all nodes a of |g_ab| by component, g_ab the weight of node b
-    // in V_a G_a; first of its own weight, which has a sign until it is
-    // complete, then of all others
-    columns = Zero;
-    const auto add = [&](const label a, const label b, const scalar* g)
-    {
-        for (int j = 0; j < D; ++j)
-        {
-            columns[(2*a)*D + j] -= g[j];
-            columns[(2*b + 1)*D + j] += mag(g[j]);
-        }
-    };
     const label* edge = d.dual.edgeNodes().cdata();
     const scalar* area = d.edgeArea();
+    scalar g[D];
     for (label e = 0; e < d.dual.nEdges(); ++e)
     {
-        scalar g[D];
         for (int j = 0; j < D; ++j) g[j] = 0.5*area[D*e + j];
-        add(edge[2*e], edge[2*e + 1], g);
+        f(edge[2*e], edge[2*e + 1], g);
         for (int j = 0; j < D; ++j) g[j] = -g[j];
-        add(edge[2*e + 1], edge[2*e], g);
+        f(edge[2*e + 1], edge[2*e], g);
     }
     for (label p = 0; p < x.pairNodes.size()/2; ++p)
     {
         const scalar* B = x.pairArea.cdata() + D*p;
-        add(x.pairNodes[2*p], x.pairNodes[2*p + 1], B);
-        add(x.pairNodes[2*p + 1], x.pairNodes[2*p], B);
+        f(x.pairNodes[2*p], x.pairNodes[2*p + 1], B);
+        f(x.pairNodes[2*p + 1], x.pairNodes[2*p], B);
     }
+}
+
+
+template<int D, bool finite>
+void variationalKernelTemplate<D, finite>::boundColumns
+(
+    const vertexData& d,
+    const variationalData& x,
+    scalarField& sums
+) const
+{
+    sums = Zero;
+    forWeights(d, x, [&](const label a, const label b, const scalar* g)
+    {
+        scalar gg = 0;
+        for (int j = 0; j < D; ++j)
+        {
+            sums[a*(D + 1) + j] -= g[j];
+            gg += g[j]*g[j];
+        }
+        sums[b*(D + 1) + D] += std::sqrt(gg);
+    });
 }
 
 
@@ -969,34 +984,36 @@ void variationalKernelTemplate<D, finite>::boundRows
 (
     const vertexData& d,
     const variationalData& x,
-    const scalarField& columns,
+    const scalarField& sums,
     scalarField& bound
 ) const
 {
-    // Without the node's own weight, which is the caller's
     const scalar* V = d.dual.nodeVolume().cdata();
+    const auto& owned = d.dual.sharing().owned();
     bound = Zero;
     const auto add = [&](const label a, const label b, const scalar* g)
     {
+        scalar gg = 0, ownB = 0;
         for (int j = 0; j < D; ++j)
         {
-            bound[a] += mag(g[j])*columns[b*D + j]/(V[a]*V[b]);
+            gg += g[j]*g[j];
+            ownB += sums[b*(D + 1) + j]*sums[b*(D + 1) + j];
+        }
+        if (gg < VSMALL) return;
+        const scalar column = sums[b*(D + 1) + D] + std::sqrt(ownB);
+        const scalar factor = column/(std::sqrt(gg)*V[a]*V[b]);
+        for (int i = 0, k = 0; i < D; ++i)
+        {
+            for (int j = i; j < D; ++j, ++k)
+            {
+                bound[a*nK + k] += factor*g[i]*g[j];
+            }
         }
     };
-    const label* edge = d.dual.edgeNodes().cdata();
-    const scalar* area = d.edgeArea();
-    for (label e = 0; e < d.dual.nEdges(); ++e)
+    forWeights(d, x, add);
+    for (label a = 0; a < d.nNodes(); ++a)
     {
-        scalar g[D];
-        for (int j = 0; j < D; ++j) g[j] = 0.5*area[D*e + j];
-        add(edge[2*e], edge[2*e + 1], g);
-        add(edge[2*e + 1], edge[2*e], g);
-    }
-    for (label p = 0; p < x.pairNodes.size()/2; ++p)
-    {
-        const scalar* B = x.pairArea.cdata() + D*p;
-        add(x.pairNodes[2*p], x.pairNodes[2*p + 1], B);
-        add(x.pairNodes[2*p + 1], x.pairNodes[2*p], B);
+        if (owned[a]) add(a, a, sums.cdata() + a*(D + 1));
     }
 }
 
