@@ -29,9 +29,13 @@ class Run:
 
 
 def parameter(case, key, default=None):
-    """What Allrun wrote into system/caseParameters."""
-    file = Path(case)/"system"/"caseParameters"
-    return FoamFile(file).get(key, default) if file.exists() else default
+    """What Allrun wrote into system/caseParameters or presetParameters."""
+    for name in "caseParameters", "presetParameters":
+        file = Path(case)/"system"/name
+        found = FoamFile(file).get(key) if file.exists() else None
+        if found is not None:
+            return found
+    return default
 
 
 def findRuns(case, size, label):

@@ -12,7 +12,7 @@ BLOCKS = re.findall(r"(?ms)^```sh\n(.*?)^```$", GUIDE.read_text())
 BOX = "blockMesh -region"       # the block that is an alternative
 # Other versions of gmsh make other tetrahedra
 LAST = {"gmsh": (5.1, 0.3), "blockMesh": (4.74, 0.3)}
-PEAK = {"gmsh": (2.5, 0.3), "blockMesh": (3.2, 0.3)}
+PEAK = {"gmsh": (3.1, 0.3), "blockMesh": (3.6, 0.3)}
 
 
 def commands(mesh):

@@ -5,13 +5,13 @@ import shutil
 import numpy as np
 import pytest
 
-from caseTools import Case, Scene, checked, timeFolders
+from caseTools import DEFAULT, Case, Scene, checked, timeFolders
 from collisions import SCENES as COLLISIONS, collision
 
 SCENES = {
-    "1D": Scene("dissimilar", elements=64,
+    "1D": Scene("dissimilar", elements=64, preset=DEFAULT,
                 control=(("endTime", 0.25), ("writeInterval", 0.05))),
-    "2D": Scene("similar", elements=32, dimensions=2, across=3,
+    "2D": Scene("similar", elements=32, dimensions=2, across=3, preset=DEFAULT,
                 control=(("endTime", 0.25), ("writeInterval", 0.05))),
 }
 
@@ -55,7 +55,7 @@ def test_restart_in_contact(run, tmp_path, figures, scene):
 def test_restart_of_collision(tmp_path, figures, name, ranks):
     """All files of the last time, bit by bit, after a restart in contact; in
     parallel those of each rank."""
-    case = collision(tmp_path/"case", name)
+    case = collision(tmp_path/"case", name, preset=DEFAULT)
     run = ["vertexContactFoam"]
     folders = ["."]
     if ranks > 1:

@@ -54,6 +54,15 @@ def force(contents):
     return rewrite("constant/bar1/bodyForces", contents)
 
 
+def paper(*actions):
+    """With the paper's scheme."""
+    def action(case):
+        case.set("system/controlDict", {"preset": "paper"})
+        for act in actions:
+            act(case)
+    return action
+
+
 def plastic(hardening):
     """Bar 1 of a plastic material."""
     return rewrite(material, f"type HenckyVonMises; rho 1; E 1; nu 0; "
@@ -83,7 +92,16 @@ CASES = {
         edit(material, {"Young": 3}), ("mechanicalProperties", "Young")),
     "keyword of vertexCentred": (
         edit(schemes, {"vertexCentred/limitter": "none"}),
+        ("fvSchemes", "vertexCentred", "limitter", "correction")),
+    "keyword of the paper's scheme": (
+        paper(edit(schemes, {"vertexCentred/limitter": "none"})),
         ("fvSchemes", "vertexCentred", "limitter", "limiter")),
+    "keyword that belongs to the paper's scheme": (
+        edit(schemes, {"vertexCentred/limiter": "none"}),
+        ("fvSchemes", "limiter", "preset paper", "correction")),
+    "keyword that does not belong to the paper's scheme": (
+        paper(edit(schemes, {"vertexCentred/correction": 0})),
+        ("fvSchemes", "correction", "preset paper", "limiter")),
     "keyword of an interface": (
         edit(contact, {"interfaces/bars/paring": "AMI"}),
         ("contactProperties", "paring", "pairing")),
@@ -97,8 +115,14 @@ CASES = {
         edit(material, {"type": "neoHokean"}),
         ("mechanicalProperties", "neoHokean", "neoHookean")),
     "unknown reconstruction": (
-        edit(schemes, {"vertexCentred/reconstruction": "quadratic"}),
+        paper(edit(schemes, {"vertexCentred/reconstruction": "quadratic"})),
         ("fvSchemes", "quadratic", "full")),
+    "unknown volume": (
+        edit(schemes, {"vertexCentred/volume": "smooth"}),
+        ("fvSchemes", "volume", "smooth", "smoothed")),
+    "correction too large": (
+        edit(schemes, {"vertexCentred/correction": 0.6}),
+        ("fvSchemes", "correction", "0.6", "0.5")),
     "unknown cells": (
         edit(schemes, {"vertexCentred/cells": "simplical"}),
         ("fvSchemes", "simplical", "simplicial")),
@@ -220,13 +244,24 @@ CASES = {
         edit("system/controlDict", {"timeIntegrator": "TVDRK4"}),
         ("controlDict", "timeIntegrator", "TVDRK4", "TVDRK3")),
     "one stage with full reconstruction": (
-        edit("system/controlDict", {"timeIntegrator": "symplecticEuler"}),
+        paper(edit("system/controlDict",
+                   {"timeIntegrator": "symplecticEuler"})),
         ("controlDict", "timeIntegrator", "symplecticEuler", "full")),
+    "time integrator of the paper": (
+        edit("system/controlDict", {"timeIntegrator": "TVDRK2"}),
+        ("controlDict", "timeIntegrator", "TVDRK2", "leapfrog")),
+    "leapfrog with the paper's scheme": (
+        paper(edit("system/controlDict", {"timeIntegrator": "leapfrog"})),
+        ("controlDict", "timeIntegrator", "leapfrog", "TVDRK2")),
+    "transfer of the paper": (
+        edit(contact, {"interfaces/bars/pairing": "AMI",
+                       "interfaces/bars/transfer": "twoWay"}),
+        ("contactProperties", "transfer", "twoWay", "paper")),
     "no dissipation": (
         edit(schemes, {"vertexCentred/dissipation": 0}),
         ("fvSchemes", "dissipation", "0", "at most 1")),
     "unknown wave speed": (
-        edit(schemes, {"vertexCentred/waveSpeed": "nonlinear"}),
+        paper(edit(schemes, {"vertexCentred/waveSpeed": "nonlinear"})),
         ("fvSchemes", "waveSpeed", "nonlinear", "stretched")),
     "maxCo of zero": (
         edit("system/controlDict", {"maxCo": 0}), ("controlDict", "maxCo")),

@@ -7,7 +7,7 @@ import shutil
 import pytest
 
 import caseTools
-from caseTools import checked, execute
+from caseTools import DEFAULT, checked, execute
 from smallCases import ELASTIC, Body, SmallCase, condition, interface
 
 LISTS = {"listMaterials", "listContactLaws", "listPairings",
@@ -27,7 +27,7 @@ def bars(path, **control):
         endTime=1, interfaces={"bars": interface(("left", "right"),
                                                  ("right", "left"))},
         functions=("contactForces",), probes={"end": ("left", (1, 0, 0))},
-        control={"writeInterval": 0.25, **control})
+        control={"writeInterval": 0.25, **control}, preset=DEFAULT)
 
 
 def contents(folder):
@@ -128,8 +128,8 @@ def test_parallel_dry_run(case, tmp_path):
 WRONG = {
     "material": ("constant/left/mechanicalProperties", "type", "elastic",
                  "linearElastic"),
-    "scheme": ("system/left/fvSchemes", "vertexCentred/limitter", "none",
-               "limiter"),
+    "scheme": ("system/left/fvSchemes", "vertexCentred/volum", "nodal",
+               "volume"),
     "interface": ("constant/contactProperties", "interfaces/bars/paring",
                   "AMI", "pairing"),
     "function object": ("system/controlDict", "functions/end/fields",
@@ -191,8 +191,12 @@ NAMES = {
     "conditions": ("listBoundaryConditions", "0/left/pointU",
                    "boundaryField/left/type"),
     **{name: ("listSchemes", "system/left/fvSchemes", f"vertexCentred/{name}")
-       for name in ("cells", "reconstruction", "limiter", "kinematics",
-                    "jacobian", "waveSpeed")}}
+       for name in ("cells", "volume", "reconstruction", "limiter",
+                    "kinematics", "jacobian", "waveSpeed")}}
+
+# Those that only this preset has
+OF_PAPER = ("reconstruction", "limiter", "kinematics", "jacobian", "waveSpeed",
+            "vertexCentred of the paper")
 
 # Dictionaries in which a keyword is set that does not exist, and what makes
 # them those of a model
@@ -221,8 +225,8 @@ KEYWORDS = {
                  "boundaryField/left/", {"boundaryField/left/type":
                                          "traction"}),
     "uniform": ("listBodyForces", "constant/left/bodyForces", "shaking/", {}),
-    "vertexCentred": ("listSchemes", "system/left/fvSchemes",
-                      "vertexCentred/", {}),
+    **{name: ("listSchemes", "system/left/fvSchemes", "vertexCentred/", {})
+       for name in ("vertexCentred", "vertexCentred of the paper")},
     "pointProbes": ("listFunctionObjects", "system/controlDict",
                     "functions/end/", {})}
 
@@ -252,6 +256,8 @@ def test_names(spoilt, tmp_path, what):
     option, file, keyword = NAMES[what]
     # A condition that OpenFOAM has, but that is not one of a solid
     wrong = "calculated" if what == "conditions" else "xyzzy"
+    if what in OF_PAPER:
+        spoilt.set("system/controlDict", {"preset": "paper"})
     spoilt.set(file, {keyword: wrong})
     words = set(re.findall(r"[\w/]+", listed(option, tmp_path)))
     names = valid(spoilt)
@@ -264,6 +270,8 @@ def test_keywords(spoilt, tmp_path, what):
     """A list has every keyword of the message about an unknown one, with what
     it means."""
     option, file, prefix, entries = KEYWORDS[what]
+    if what in OF_PAPER:
+        spoilt.set("system/controlDict", {"preset": "paper"})
     spoilt.set(file, {**entries, f"{prefix}xyzzy": 1})
     text = listed(option, tmp_path)
     for keyword in valid(spoilt):
@@ -277,9 +285,10 @@ def test_presets_are_what_they_say(case, tmp_path):
     rows = [line.split() for line in
             listed("listPresets", tmp_path).splitlines() if line.strip()]
     names = next(row for row in rows if "balanced" in row and "fast" in row
-                 and len(row) == 3)
+                 and len(row) == 4)
     table = {row[0]: dict(zip(names, row[1:])) for row in rows
-             if len(row) == 4}
+             if len(row) == 5}
+    assert set(names) == {"fast", "balanced", "accurate", "paper"}
     for name in names:
         copy = caseTools.Case(shutil.copytree(case.path, tmp_path/name))
         copy.replace("system/controlDict", r"maxCo [^;]*;", "")
@@ -288,7 +297,8 @@ def test_presets_are_what_they_say(case, tmp_path):
         assert f"timeIntegrator {table['timeIntegrator'][name]}, " \
             f"maxCo {table['maxCo'][name]}\n" in output
         for option in "reconstruction", "limiter", "cells", "dissipation":
-            assert f"{option} {table[option][name]}" in output
+            value = table[option][name]
+            assert value == "-" or f"{option} {value}" in output, option
 
 
 def test_library_of_a_user(tmp_path):

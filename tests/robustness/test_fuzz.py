@@ -14,7 +14,7 @@ from pathlib import Path
 
 import pytest
 
-from caseTools import Case
+from caseTools import DEFAULT, Case
 from collisions import collision
 
 COUNT = int(os.environ.get("FUZZ", 500))
@@ -143,7 +143,7 @@ def cases(tmp_path_factory):
     made = []
     for i, name in enumerate(SCENES):
         case = collision(tmp_path_factory.mktemp("fuzz")/"case", name,
-                         endTime=0.1)
+                         endTime=0.1, preset=DEFAULT)
         case.set("system/controlDict", {"writeFormat": "ascii"})
         made.append(case)
     return made

@@ -4,6 +4,7 @@ cannot go on."""
 import numpy as np
 import pytest
 
+from caseTools import DEFAULT, PRESET
 from smallCases import (ELASTIC, RUBBER, Body, SmallCase, condition, coulomb,
                         interface)
 from stability.free import rubber
@@ -14,46 +15,55 @@ LAWS = {"linearElastic": ELASTIC, "neoHookean": RUBBER,
         "HenckyVonMises": {**RUBBER, "type": "HenckyVonMises", "tauY": 10}}
 
 
-def log(folder, law, speed, maxCo=0.5):
+BOTH = pytest.mark.parametrize("preset", (DEFAULT, PRESET))
+
+
+def log(folder, law, speed, preset, maxCo=0.5):
     """Output of a bar that hits a wall with a speed, those of waves about 1."""
     case = SmallCase(folder, Body(
         cells=(20,), material=LAWS[law], velocity=(-speed, 0, 0),
         sides={"left": {"type": "fixedVelocity", "velocity": (0, 0, 0)}}),
-        0.5, control={"maxCo": maxCo, "logInterval": 10})
+        0.5, control={"maxCo": maxCo, "logInterval": 10}, preset=preset)
     code, output = case.attempt()
     assert code == 0, output
     return output
 
 
-def test_small_strain_law_strained(tmp_path):
-    output = log(tmp_path/"large", "linearElastic", 0.2)
+@BOTH
+def test_small_strain_law_strained(tmp_path, preset):
+    output = log(tmp_path/"large", "linearElastic", 0.2, preset)
     assert output.count("is a law of small strains") == 1, output
     assert "linearElastic" in output and "neoHookean" in output
     assert "law of small strains" not in log(
-        tmp_path/"small", "linearElastic", 0.01)
+        tmp_path/"small", "linearElastic", 0.01, preset)
 
 
-def test_cheaper_laws(tmp_path):
-    assert "linearElastic, whose" in log(tmp_path/"small", "neoHookean", 1e-4)
+@BOTH
+def test_cheaper_laws(tmp_path, preset):
+    assert "linearElastic, whose" in log(
+        tmp_path/"small", "neoHookean", 1e-4, preset)
     assert "linearElastic, whose" not in log(
-        tmp_path/"large", "neoHookean", 0.1)
-    assert "has not yielded" in log(tmp_path/"elastic", "HenckyVonMises", 0.01)
+        tmp_path/"large", "neoHookean", 0.1, preset)
+    assert "has not yielded" in log(
+        tmp_path/"elastic", "HenckyVonMises", 0.01, preset)
 
 
-def test_step_above_the_limit(tmp_path):
+@BOTH
+def test_step_above_the_limit(tmp_path, preset):
     warning = "steps may be unstable"
-    assert warning in log(tmp_path/"long", "neoHookean", 0.01, maxCo=1.2)
-    assert warning not in log(tmp_path/"short", "neoHookean", 0.01, maxCo=1)
+    assert warning in log(tmp_path/"long", "neoHookean", 0.01, preset, 1.2)
+    assert warning not in log(tmp_path/"short", "neoHookean", 0.01, preset, 1)
 
 
-@pytest.mark.parametrize("cells, control, warned", (
-    ((2, 2), {"timeIntegrator": "TVDRK2"}, True),
-    ((2, 2), {"preset": "fast"}, True),
-    ((3, 3), {"timeIntegrator": "TVDRK2"}, False),
-    ((2, 2), {"timeIntegrator": "TVDRK3"}, False)))
-def test_few_cells(tmp_path, cells, control, warned):
-    case = SmallCase(tmp_path/"case", Body(cells=cells, material=RUBBER), 0.1,
-                     control=control)
+@pytest.mark.parametrize("cells, control, scheme, warned", (
+    ((2, 2), {"timeIntegrator": "TVDRK2"}, {}, True),
+    ((2, 2), {"timeIntegrator": "symplecticEuler"},
+     {"reconstruction": "linear", "kinematics": "FJ"}, True),
+    ((3, 3), {"timeIntegrator": "TVDRK2"}, {}, False),
+    ((2, 2), {"timeIntegrator": "TVDRK3"}, {}, False)))
+def test_few_cells(tmp_path, cells, control, scheme, warned):
+    case = SmallCase(tmp_path/"case", Body(
+        cells=cells, material=RUBBER, scheme=scheme), 0.1, control=control)
     code, output = case.attempt()
     assert code == 0, output
     assert ("bodies of two cells across" in output) == warned, output
@@ -83,11 +93,12 @@ def test_rise_of_energy(tmp_path, law, gains):
     assert ("of its largest value, without work" in output) == gains, output
 
 
-def test_linear_law_blows_up(tmp_path):
+@BOTH
+def test_linear_law_blows_up(tmp_path, preset):
     """Numbers of a linear law stay finite for very long."""
     case = SmallCase(tmp_path/"case", Body(
         cells=(20,), material=ELASTIC, velocity=lambda X: 0.01*X), 50,
-        control={"maxCo": 3})
+        control={"maxCo": 3}, preset=preset)
     code, output = case.attempt()
     assert code == 1 and "The state is not finite" in output, output
     assert "region body, node at" in output, output

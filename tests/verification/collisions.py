@@ -1,6 +1,7 @@
 """Small collisions of every kind of contact and material, in three dimensions:
 what a restart and a decomposition have to reproduce."""
 
+from caseTools import PRESET
 from smallCases import RUBBER, Body, SmallCase, coulomb, interface
 
 COPPER = {"type": "HenckyVonMises", "rho": 1, "E": 1, "nu": 0.35,
@@ -46,9 +47,9 @@ SCENES = {
 }
 
 
-def collision(folder, name, endTime=1.2):
+def collision(folder, name, endTime=1.2, preset=PRESET):
     """The case of a scene, which writes INTERVALS times; not yet run."""
     bodies, interfaces = SCENES[name]()
     return SmallCase(folder, bodies, endTime, interfaces=interfaces,
-                     functions=("contactForces",),
+                     functions=("contactForces",), preset=preset,
                      control={"writeInterval": endTime/INTERVALS})

@@ -7,7 +7,7 @@ from typing import Callable
 
 import numpy as np
 
-from caseTools import Case, checked, execute, timeFolders
+from caseTools import PRESET, Case, checked, execute, timeFolders
 
 # Sides of a block: direction, corners
 SIDES = {"left": (0, "0 4 7 3"), "right": (0, "1 2 6 5"),
@@ -125,7 +125,7 @@ class SmallCase(Case):
     """A case folder made of bodies and interfaces."""
 
     def __init__(self, path, bodies, endTime, interfaces=None, gravity=None,
-                 control=None, functions=(), probes=None):
+                 control=None, functions=(), probes=None, preset=PRESET):
         super().__init__(path)
         self.bodies = [bodies] if isinstance(bodies, Body) else list(bodies)
         functions = {name: {"type": name, "libs": "(vertexContact)"}
@@ -139,8 +139,9 @@ class SmallCase(Case):
             "application": "vertexContactFoam", "libs": "(vertexContact)",
             "startFrom": "latestTime", "startTime": 0, "stopAt": "endTime",
             "endTime": endTime, "deltaT": endTime, "adjustTimeStep": "yes",
-            "maxCo": 0.3, "writeControl": "adjustableRunTime",
-            "writeInterval": endTime, "writeFormat": "binary",
+            "preset": preset, "maxCo": 0.3,
+            "writeControl": "adjustableRunTime", "writeInterval": endTime,
+            "writeFormat": "binary",
             "writePrecision": 16, "timePrecision": 10, "logInterval": 1000,
             "functions": functions, **(control or {})})
         names = tuple(body.name for body in self.bodies)

@@ -4,7 +4,7 @@ cube, and small bodies in rotation."""
 import numpy as np
 import pytest
 
-from caseTools import Case, checked, copyTutorials
+from caseTools import PRESET, Case, checked, copyTutorials
 from smallCases import RUBBER, Body, SmallCase, largest
 
 WAVES = np.sqrt((1 - 0.3)/((1 + 0.3)*(1 - 2*0.3)))  # speed in RUBBER
@@ -18,7 +18,7 @@ def tutorial(name, folder, scheme=None, **options):
     case.set("system/cube/fvSchemes" if name == "spinningCube"
              else "system/column/fvSchemes",
              {f"vertexCentred/{k}": v for k, v in (scheme or {}).items()})
-    checked(["./Allrun"], case.path, PLOT="0", **options)
+    checked(["./Allrun"], case.path, PLOT="0", PRESET=PRESET, **options)
     return case
 
 

@@ -8,7 +8,8 @@ from pathlib import Path
 import numpy as np
 
 import readResults
-from caseTools import Case, Scene, copyTutorials, execute, relativeL1
+from caseTools import (PRESET, Case, Scene, copyTutorials, execute,
+                       relativeL1)
 from exactSolution import TwoBarImpact
 from variants import CONTACT, CONTROL, SCHEME
 
@@ -100,9 +101,13 @@ class TradeCase:
         return made
 
     def run(self, folder, options):
-        case = self.prepare(folder, options)
-        done = execute(["./Allrun"], case.path, PLOT="0",
-                       MESH=options["mesh"])
+        return self.start(self.prepare(folder, options),
+                          options.get("preset", PRESET), options["mesh"])
+
+    def start(self, case, preset, mesh):
+        """A case that has been prepared."""
+        done = execute(["./Allrun"], case.path, PLOT="0", MESH=mesh,
+                       PRESET=preset)
         if done.returncode != 0:
             raise Stopped(done.stdout)
         return case

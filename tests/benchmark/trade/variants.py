@@ -1,5 +1,6 @@
-"""What the trade varies: the presets, each option on its own from the default
-preset, and combinations that may be worth their cost."""
+"""What the trade varies: options of the paper's scheme from the presets that it
+had, each on its own, and combinations that may be worth their cost. The presets
+of today are runs of their own (named)."""
 
 # Of vertexCentred in fvSchemes, of controlDict and of contactProperties
 SCHEME = ("cells", "reconstruction", "limiter", "kinematics", "jacobian",
@@ -42,6 +43,10 @@ SINGLE = {
 INTERVALS = ("0.02", "0.4")
 
 
+# The presets of today, by name alone
+NAMES = "fast", "balanced", "accurate"
+
+
 def expanded(**choices):
     """All combinations of the values given."""
     found = [{}]
@@ -79,6 +84,12 @@ def options(case, preset="balanced", mesh=None, **changes):
     chosen = {**dict.fromkeys(OPTIONS, ""), **PRESETS[preset], **case.choices,
               "mesh": mesh or case.base, **changes}
     return onlyThatMatter(chosen)
+
+
+def named(case, preset, mesh):
+    """A run with a preset and nothing beside it."""
+    return {**dict.fromkeys(OPTIONS, ""), **case.choices, "mesh": mesh,
+            "preset": preset}
 
 
 def onlyThatMatter(chosen):
