@@ -1,0 +1,320 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+-------------------------------------------------------------------------------
+Description
+    The variational scheme on distorted meshes of all cells, boundaries
+    included: its gradient is exact for linear fields, its forces are the
+    transpose of it, its dissipation has a sign and no resultants.
+
+\*---------------------------------------------------------------------------*/
+
+#include "testEnvironment.H"
+#include "meshFactory.H"
+#include "variationalKernel.H"
+#include "largestEigenvalue.H"
+
+#include <random>
+
+using namespace Foam;
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+const char* const kindNames[] =
+    {"hexes", "prisms", "pyramids", "tets", "mixed"};
+
+//- A block in some dimensions
+meshFactory::result distortedBlock(const int nDim, const int kind)
+{
+    meshFactory::block block;
+    block.n = {5, nDim > 1 ? 4 : 1, nDim > 2 ? 3 : 1};
+    block.isEmpty = {false, nDim < 2, nDim < 3};
+    block.cells = meshFactory::cellKind(kind);
+    block.distortion = 0.2;
+    return meshFactory::make(testTime(), block);
+}
+
+//- All that the passes need, on one mesh
+struct scheme
+{
+    const medianDual dual;
+    vertexData d;
+    variationalData x;
+    const autoPtr<variationalKernel> kernel;
+    const label nDim;
+    const label n;
+
+    scheme
+    (
+        const polyMesh& mesh,
+        const medianDual::cellTreatment cells,
+        const scalar beta
+    )
+    :
+        dual(mesh, cells),
+        d
+        (
+            dual, true, kinematicSet::F, true, reconstructionType::none,
+            limiterType::none, 1, 2, 3, 1.5
+        ),
+        x(d, beta, 0.5, false),
+        kernel(variationalKernel::New(d)),
+        nDim(dual.nDim()),
+        n(dual.nNodes())
+    {
+        for (const dualPatch& patch : dual.patches())
+        {
+            x.addPairs(patch, nDim);
+        }
+        x.joinPairs(nDim);
+        x.perEdges = scalar(1);
+        x.dissipative.setSize(n*nDim, Zero);
+    }
+
+    void deform()
+    {
+        kernel->collect(d, x);
+        kernel->gradients(x, d);
+        kernel->deform(x, d);
+        kernel->correct(x, d);
+        kernel->kinematics(d, x);
+    }
+
+    //- Force per volume at the nodes from the stress in W, as deformed
+    scalarField forces()
+    {
+        kernel->fluxes(d, x);
+        kernel->collectAdjoint(x, d);
+        kernel->stresses(x, d);
+        kernel->forces(d, x, true);
+        scalarField f(n*nDim);
+        forAll(f, k)
+        {
+            f[k] = d.rates[(k/nDim)*d.strideRates + k % nDim];
+        }
+        return f;
+    }
+
+    scalar product(const scalarField& f, const scalarField& u) const
+    {
+        scalar sum = 0;
+        forAll(f, k) sum += dual.nodeVolume()[k/nDim]*f[k]*u[k];
+        return sum;
+    }
+
+    scalarField random(const unsigned seed, const scalar size) const
+    {
+        std::mt19937 generator(seed);
+        std::uniform_real_distribution<scalar> any(-size, size);
+        scalarField u(n*nDim);
+        for (scalar& value : u) value = any(generator);
+        return u;
+    }
+};
+
+//- Run a check on all meshes, exact treatments, and corrections
+template<class Check>
+void onAllMeshes(const Check& check)
+{
+    for (int nDim = 1; nDim <= 3; ++nDim)
+    {
+        for (int kind = 0; kind < (nDim < 2 ? 1 : nDim < 3 ? 2 : 5); ++kind)
+        {
+            const auto made = distortedBlock(nDim, kind);
+            for
+            (
+                const auto cells :
+                {
+                    medianDual::cellTreatment::simplicial,
+                    medianDual::cellTreatment::simplicialSingle
+                }
+            )
+            {
+                for (const scalar beta : {scalar(0), scalar(1)/3})
+                {
+                    INFO
+                    (
+                        nDim << "D, " << kindNames[kind] << ", "
+                     << medianDual::cellTreatmentNames[cells] << ", beta "
+                     << beta
+                    );
+                    scheme s(*made.mesh, cells, beta);
+                    check(s);
+                }
+            }
+        }
+    }
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * Test Cases  * * * * * * * * * * * * * * * //
+
+TEST_CASE("gradient of linear fields", "[variational][serial]")
+{
+    onAllMeshes([](scheme& s)
+    {
+        const scalar A[3][3] =
+            {{0.1, 0.2, -0.1}, {0.05, -0.1, 0.3}, {-0.2, 0.1, 0.15}};
+        const label d = s.nDim;
+        for (label a = 0; a < s.n; ++a)
+        {
+            for (label i = 0; i < d; ++i)
+            {
+                scalar u = 7;
+                for (label j = 0; j < d; ++j)
+                {
+                    u += A[i][j]*s.dual.nodePosition()[a*d + j];
+                }
+                s.d.state.disp[a*d + i] = u;
+            }
+        }
+        s.deform();
+        scalar off = 0;
+        for (label a = 0; a < s.n; ++a)
+        {
+            for (label i = 0; i < d; ++i)
+            {
+                for (label j = 0; j < d; ++j)
+                {
+                    off = max
+                    (
+                        off,
+                        mag(s.d.state.F[(a*d + i)*d + j] - A[i][j] - (i == j))
+                    );
+                }
+            }
+        }
+        CHECK(off < 1e-12);
+    });
+}
+
+
+TEST_CASE("forces are the transpose of the gradient", "[variational][serial]")
+{
+    onAllMeshes([](scheme& s)
+    {
+        // Any stress, a body at rest
+        const label d = s.nDim;
+        s.deform();
+        std::mt19937 generator(2);
+        std::uniform_real_distribution<scalar> any(-1, 1);
+        for (label a = 0; a < s.n; ++a)
+        {
+            for (label k = 0; k < d*d; ++k)
+            {
+                s.d.W[a*s.d.strideW + s.d.offsetP() + k] = any(generator);
+            }
+        }
+        const scalarField f(s.forces());
+
+        // Power of the forces and of the stress in any displacement
+        const scalarField u(s.random(3, 0.1));
+        s.d.state.disp = u;
+        s.deform();
+        scalar inner = 0;
+        for (label a = 0; a < s.n; ++a)
+        {
+            for (label i = 0; i < d; ++i)
+            {
+                for (label j = 0; j < d; ++j)
+                {
+                    inner +=
+                        s.dual.nodeVolume()[a]
+                       *s.d.W[a*s.d.strideW + s.d.offsetP() + j*d + i]
+                       *(s.d.state.F[(a*d + i)*d + j] - (i == j));
+                }
+            }
+        }
+        CHECK(s.product(f, u) == Approx(-inner).epsilon(1e-11).margin(1e-12));
+    });
+}
+
+
+TEST_CASE("dissipation has a sign and no resultants", "[variational][serial]")
+{
+    onAllMeshes([](scheme& s)
+    {
+        const label d = s.nDim;
+        s.d.state.disp = s.random(4, 0.01);
+        s.d.state.lm = s.random(5, 2);
+        s.deform();
+        const scalarField f(s.forces());
+        scalarField v(s.d.state.lm);
+        v /= s.d.rho;
+        const scalar power = s.product(f, v);
+        CHECK(power < 0);
+
+        // All there is here is dissipation
+        scalar off = 0, largest = 0;
+        forAll(f, k)
+        {
+            off = max(off, mag(f[k] - s.x.dissipative[k]));
+            largest = max(largest, mag(f[k]));
+        }
+        CHECK(off < 1e-12*largest);
+
+        for (label i = 0; i < d; ++i)
+        {
+            scalarField translation(s.n*d, Zero);
+            for (label a = 0; a < s.n; ++a) translation[a*d + i] = 1;
+            CHECK(mag(s.product(f, translation)) < 1e-12*mag(power));
+
+            // Rotation in the plane of directions i and j
+            for (label j = i + 1; j < d; ++j)
+            {
+                scalarField rotation(s.n*d, Zero);
+                const auto place = [&](const label a, const label k)
+                {
+                    return
+                        s.dual.nodePosition()[a*d + k]
+                      + s.d.state.disp[a*d + k];
+                };
+                for (label a = 0; a < s.n; ++a)
+                {
+                    rotation[a*d + i] = -place(a, j);
+                    rotation[a*d + j] = place(a, i);
+                }
+                CHECK(mag(s.product(f, rotation)) < 1e-12*mag(power));
+            }
+        }
+    });
+}
+
+
+TEST_CASE("largest slope and eigenvalue", "[variational][serial]")
+{
+    CHECK(largestSlope(0) == Approx(1));
+    CHECK(largestSlope(scalar(1)/3) == Approx(1.3723).epsilon(1e-4));
+
+    // Of a uniform line: those of waves inside it are below, free ends add
+    meshFactory::block block;
+    block.n = {60, 1, 1};
+    block.isEmpty = {false, true, true};
+    const auto made = meshFactory::make(testTime(), block);
+    for (const scalar beta : {scalar(0), scalar(1)/3})
+    {
+        const scheme s
+        (
+            *made.mesh, medianDual::cellTreatment::simplicial, beta
+        );
+        const scalar frequency = std::sqrt
+        (
+            largestEigenvalue
+            (
+                s.d, s.x, symmetryConstraint(s.dual, labelList())
+            )
+        )/60;
+        CHECK(frequency >= 0.99*largestSlope(beta));
+        CHECK(frequency < 1.5*largestSlope(beta));
+        if (beta > 0) CHECK(frequency == Approx(1.69).epsilon(0.01));
+    }
+}
+
+
+// ************************************************************************* //
