@@ -5,14 +5,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from caseTools import Scene
+from caseTools import DEFAULT, Scene
 from collisions import SCENES as COLLISIONS, collision
 from smallCases import largest
 
-LINE = Scene("similar", elements=128, control=(("writeInterval", 0.1),))
-PLANE = Scene("similar", elements=24, dimensions=2, across=12,
+LINE = Scene("similar", elements=128, preset=DEFAULT,
+             control=(("writeInterval", 0.1),))
+PLANE = Scene("similar", elements=24, dimensions=2, across=12, preset=DEFAULT,
               control=(("writeInterval", 0.1),))
-SOLID = Scene("dissimilar", elements=16, dimensions=3, across=6,
+SOLID = Scene("dissimilar", elements=16, dimensions=3, across=6, preset=DEFAULT,
               control=(("endTime", 0.2), ("writeInterval", 0.1)))
 RUNS = ((LINE, 2), (PLANE, 2), (SOLID, 3))
 
@@ -62,8 +63,9 @@ def test_parallel_is_serial(run, figures, scene, ranks):
 @pytest.mark.parametrize("name", COLLISIONS)
 def test_collision(tmp_path, figures, name, method):
     """Every field of three ranks is that of one."""
-    serial = collision(tmp_path/"serial", name).run()
-    parallel = collision(tmp_path/"parallel", name).runParallel(3, method)
+    serial = collision(tmp_path/"serial", name, preset=DEFAULT).run()
+    parallel = collision(tmp_path/"parallel", name, preset=DEFAULT)
+    parallel.runParallel(3, method)
     last = serial.last
     assert parallel.last == last
     with figures(f"{name}, 3 ranks, {method}") as f:

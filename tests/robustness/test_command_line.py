@@ -20,10 +20,10 @@ def bars(path, **control):
     touching = condition("contact")
     return SmallCase(
         path, [
-            Body((20,), "left", sides={"right": touching}, velocity=(1, 0, 0),
-                 material=ELASTIC),
+            Body((20,), "left", sides={"right": touching},
+                 velocity=(0.1, 0, 0), material=ELASTIC),
             Body((20,), "right", start=(1.01, 0, 0), sides={"left": touching},
-                 velocity=(-1, 0, 0), material=ELASTIC)],
+                 velocity=(-0.1, 0, 0), material=ELASTIC)],
         endTime=1, interfaces={"bars": interface(("left", "right"),
                                                  ("right", "left"))},
         functions=("contactForces",), probes={"end": ("left", (1, 0, 0))},
@@ -86,8 +86,8 @@ def test_dry_run_reports(case):
     {"writeControl": "timeStep", "writeInterval": 20},
     {"adjustTimeStep": "no", "deltaT": 0.003}])
 def test_number_of_steps(tmp_path, control):
-    """Of linear elastic bars the stable step does not change: the number of
-    steps is exact."""
+    """Of linear elastic bars that are much slower than waves the stable step
+    does not change: the number of steps is exact."""
     case = bars(tmp_path, **control)
     estimated = steps(dryRun(case).stdout)
     output = checked(["vertexContactFoam"], case.path)
@@ -296,9 +296,13 @@ def test_presets_are_what_they_say(case, tmp_path):
         output = dryRun(copy).stdout
         assert f"timeIntegrator {table['timeIntegrator'][name]}, " \
             f"maxCo {table['maxCo'][name]}\n" in output
-        for option in "reconstruction", "limiter", "cells", "dissipation":
+        for option in ("reconstruction", "limiter", "cells", "dissipation",
+                       "correction"):
             value = table[option][name]
-            assert value == "-" or f"{option} {value}" in output, option
+            if value == "-":
+                assert f", {option} " not in output, option
+            else:
+                assert f"{option} {value}" in output, option
 
 
 def test_library_of_a_user(tmp_path):

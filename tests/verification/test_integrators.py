@@ -81,11 +81,12 @@ def test_momentum(tmp_path, figures, integrator):
 
 
 @pytest.mark.parametrize("control, scheme", (
+    ({"preset": "fast"}, {}),
     ({"preset": "accurate"}, {}),
     ({"timeIntegrator": "symplecticEuler", "maxCo": 0.8},
      {"reconstruction": "linear", "kinematics": "FJ"}),
     ({"timeIntegrator": "TVDRK3"}, {"waveSpeed": "stretched"}),
-), ids=("accurate", "symplecticEuler", "TVDRK3 stretched"))
+), ids=("fast", "accurate", "symplecticEuler", "TVDRK3 stretched"))
 def test_ranks_and_restart(tmp_path, figures, control, scheme):
     """The same on three ranks, and, to the last bit, after a restart."""
     serial = impact(tmp_path/"serial", control, scheme).run()
