@@ -467,7 +467,7 @@ def test_energy_rise(tmp_path, figures, ranks):
 
 @pytest.mark.parametrize("ranks, speed, kinematics", (
     (1, 20, "FHJ"), (1, 60, "FHJ"), (2, 20, "FHJ"), (3, 60, "FHJ"),
-    (1, 60, "F"), (2, 20, "FJ")))
+    (1, 60, "F"), (2, 20, "FJ"), (1, 60, ""), (3, 20, "")))
 def test_bad_state(tmp_path, figures, ranks, speed, kinematics):
     """A corner that is turned inside out, on one rank only: all write the state
     at the start of that step, which is that of a run that ends there. Of the

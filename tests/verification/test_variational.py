@@ -143,9 +143,8 @@ def test_long_rotation(tmp_path, figures):
 
 
 def test_loaded_for_a_while(tmp_path, figures):
-    """A traction that comes and goes leaves no strain where the waves have
-    died, and F is the gradient of the displacement: the strain energy is that
-    of what still swings."""
+    """A traction that comes and goes leaves no strain once the waves have
+    died: F is the gradient of the displacement, to round-off."""
     pull = condition("traction", traction=table(
         (0, (0, 0, 0)), (1, (0.05, 0, 0)), (2, (0, 0, 0)), (1e6, (0, 0, 0))))
     body = Body((3, 3), sides={"right": pull, "left": condition(
@@ -153,9 +152,7 @@ def test_loaded_for_a_while(tmp_path, figures):
     run = case(tmp_path, body, 4000, every=50).run()
     E = run.totalEnergy
     with figures("variational, load and release") as f:
-        f.atMost("energy at the end / largest", E[-1]/E.max(), 1e-2)
-        f.atMost("largest energy in the last half / at its start",
-                 E[len(E)//2:].max()/E[len(E)//2], 1 + 1e-9)
+        f.atMost("energy at the end / largest", E[-1]/E.max(), 1e-25)
 
 
 def test_work_of_a_moving_clamp(tmp_path, figures):

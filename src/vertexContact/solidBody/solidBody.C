@@ -905,7 +905,6 @@ void Foam::solidBody::restoreOld()
         data_.state.lm = data_.old.lm;
         data_.state.disp = data_.old.disp;
         lastStep_ = oldStep_;
-        deform();
     }
     else
     {

@@ -123,8 +123,9 @@ std::size_t Foam::variationalData::bytes() const
        *std::size_t
         (
             pairArea.size() + U.size() + grad.size() + inverse.size()
-          + correction.size() + roughness.size() + perEdges.size() + adjoint.size() + T.size() + jacobian.size()
-          + average.size() + unsmoothed.size() + dissipative.size() + geometricBound.size()
+          + correction.size() + roughness.size() + perEdges.size()
+          + adjoint.size() + T.size() + jacobian.size() + average.size()
+          + unsmoothed.size() + dissipative.size() + geometricBound.size()
         );
 }
 

@@ -549,6 +549,11 @@ void Foam::solidSystem::stopStep
         );
     }
     runTime_.setTime(startOfStep_, runTime_.timeIndex() - 1);
+    if (integrator_.leapfrog())
+    {
+        // Its velocities and tractions, as a run that starts from it has them
+        evaluateForces(startOfStep_);
+    }
 
     // The state that the run started from is there already
     string written
