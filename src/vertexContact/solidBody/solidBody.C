@@ -466,6 +466,7 @@ Foam::solidBody::solidBody
         x_->joinPairs(dual_.nDim());
         findFixedNodes();
         externalForce_.setSize(dual_.nNodes()*dual_.nDim(), Zero);
+        work_.setSize(dual_.nNodes()*dual_.nDim(), Zero);
         if (hasContact_)
         {
             contactForce_.setSize(dual_.nNodes()*dual_.nDim(), Zero);

@@ -497,7 +497,13 @@ void Foam::solidBody::write()
 std::size_t Foam::solidBody::bytes() const
 {
     return
-        data_.bytes() + dual_.bytes() + acceleration_.size()*sizeof(scalar);
+        data_.bytes() + dual_.bytes() + (x_.valid() ? x_->bytes() : 0)
+      + sizeof(scalar)
+       *std::size_t
+        (
+            acceleration_.size() + externalForce_.size()
+          + contactForce_.size() + work_.size()
+        );
 }
 
 

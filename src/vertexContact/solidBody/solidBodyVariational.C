@@ -319,7 +319,8 @@ void Foam::solidBody::addContactForces()
 {
     if (!hasContact_) return;
     const label d = dual_.nDim();
-    scalarField sum(dual_.nNodes()*d, Zero);
+    scalarField& sum = work_;
+    sum = Zero;
     forAll(corners_, patchi)
     {
         if (corners_.set(patchi) && condition(patchi).contact())
@@ -455,8 +456,8 @@ void Foam::solidBody::leap
     {
         // With the mean of both velocities the works of all forces are the
         // growth of the kinetic energy, exactly
-        scalarField v(data_.old.lm);
-        forAll(v, k) v[k] = 0.5*perRho*(v[k] + lm[k]);
+        scalarField& v = work_;
+        forAll(v, k) v[k] = 0.5*perRho*(data_.old.lm[k] + lm[k]);
         const powers p(powersOf(v));
         accounts.numericalDissipation += half*p.numericalDissipation;
         accounts.external += half*p.external;
