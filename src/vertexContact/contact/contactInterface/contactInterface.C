@@ -117,8 +117,7 @@ Foam::contactLayer::side Foam::contactInterface::layerSide
     const scalar depth
 )
 {
-    const materialModel& m = body.material();
-    return contactLayer::side{depth, m.rho(), m.cp(), m.cs()};
+    return contactLayer::side{depth, body.material().rho()};
 }
 
 
