@@ -26,6 +26,8 @@ class scalarLaplacian
     labelList place_;
     scalarField grad_;
     scalarField more_;
+    scalarField plain_;
+    const scalar perModulus_;
 
     void complete(scalarField& g) const
     {
@@ -36,6 +38,11 @@ class scalarLaplacian
         }
     }
 
+    scalar r(const label e, const label j) const
+    {
+        return X_[edge_[2*e + 1]*nDim_ + j] - X_[edge_[2*e]*nDim_ + j];
+    }
+
     scalar along(const label e, const scalarField& g) const
     {
         // (G_a - G_b).r
@@ -43,9 +50,7 @@ class scalarLaplacian
         scalar sum = 0;
         for (label j = 0; j < nDim_; ++j)
         {
-            sum +=
-                (g[a*nDim_ + j] - g[b*nDim_ + j])
-               *(X_[b*nDim_ + j] - X_[a*nDim_ + j]);
+            sum += (g[a*nDim_ + j] - g[b*nDim_ + j])*r(e, j);
         }
         return sum;
     }
@@ -70,7 +75,9 @@ public:
         V_(d.dual.nodeVolume()),
         place_(identity(nDim_)),
         grad_(d.nNodes()*nDim_),
-        more_(d.nNodes()*nDim_)
+        more_(d.nNodes()*nDim_),
+        plain_(d.nNodes()*nDim_),
+        perModulus_(1/(d.rho*sqr(d.cp)))
     {}
 
     //- y = V^-1/2 L V^-1/2 u, of which the sum of squares is the plain one
@@ -115,6 +122,8 @@ public:
         for (label k = 0; k < n*nDim_; ++k) grad_[k] /= V_[k/nDim_];
         complete(grad_);
 
+        plain_ = grad_;
+
         // D, in the place of G; and as in the forces T = P + X/V
         if (x_.beta > 0)
         {
@@ -145,9 +154,8 @@ public:
                 }
                 for (label j = 0; j < nDim_; ++j)
                 {
-                    const scalar r = X_[b*nDim_ + j] - X_[a*nDim_ + j];
-                    more_[a*nDim_ + j] += f*r;
-                    more_[b*nDim_ + j] -= f*r;
+                    more_[a*nDim_ + j] += f*r(e, j);
+                    more_[b*nDim_ + j] -= f*r(e, j);
                 }
             }
             for (label k = 0; k < n*nDim_; ++k) more_[k] /= V_[k/nDim_];
@@ -155,7 +163,31 @@ public:
             grad_ += more_;
         }
 
+        // Jumps of the positions, and their adjoint
         y = Zero;
+        more_ = Zero;
+        for (label e = 0; e < nEdges; ++e)
+        {
+            const label a = edge_[2*e], b = edge_[2*e + 1];
+            scalar jump = w[b] - w[a];
+            for (label j = 0; j < nDim_; ++j)
+            {
+                jump -=
+                    0.5*(plain_[a*nDim_ + j] + plain_[b*nDim_ + j])*r(e, j);
+            }
+            const scalar s = perModulus_*x_.jumpStiffness[e]*jump;
+            y[a] -= s;
+            y[b] += s;
+            for (label j = 0; j < nDim_; ++j)
+            {
+                more_[a*nDim_ + j] -= 0.5*s*r(e, j);
+                more_[b*nDim_ + j] -= 0.5*s*r(e, j);
+            }
+        }
+        for (label k = 0; k < n*nDim_; ++k) more_[k] /= V_[k/nDim_];
+        complete(more_);
+        grad_ += more_;
+
         for (label e = 0; e < nEdges; ++e)
         {
             const label a = edge_[2*e], b = edge_[2*e + 1];

@@ -980,6 +980,7 @@ Foam::scalar Foam::solidBody::strainEnergy() const
                *material_->strainEnergy(data_.state, a);
         }
     }
+    if (data_.variational) sum += variational_->jumpEnergy(data_, *x_);
     return sum;
 }
 

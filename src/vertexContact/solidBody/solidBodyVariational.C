@@ -109,6 +109,8 @@ void Foam::solidBody::boundFrequencies()
         findFilter();
     }
 
+    findJumpStiffness();
+
     // What the operator has, rounded up to two digits: not the last bits, which
     // depend on the number of processors
     const scalar ratio = largestEigenvalue(data_, *x_, symmetry_)/largest;
@@ -154,13 +156,13 @@ void Foam::solidBody::deform()
     {
         dual_.sharing().sum
         (
-            {{x.correction.data(), d*sC}, {x.roughness.data(), 2}}
+            {{x.correction.data(), d*sC}, {x.roughness.data(), x.nRough}}
         );
         completeTensors(x.correction.data(), d*sC, sC, 0);
     }
     else
     {
-        dual_.sharing().sum(x.roughness.data(), 2);
+        dual_.sharing().sum(x.roughness.data(), x.nRough);
     }
     nBad_ += variational_->kinematics(data_, x);
     for (const scalar p : data_.state.lm)
@@ -172,6 +174,28 @@ void Foam::solidBody::deform()
     {
         smoothJacobian();
         data_.state.J = x.jacobian;
+    }
+}
+
+
+void Foam::solidBody::findJumpStiffness()
+{
+    const label d = dual_.nDim();
+    // In uniaxial strain nothing shears
+    const scalar modulus = d > 1 ? jumpShare*material_->jumpModulus() : 0;
+    forAll(x_->jumpStiffness, e)
+    {
+        const label a = dual_.edgeNodes()[2*e], b = dual_.edgeNodes()[2*e + 1];
+        scalar CC = 0, rr = 0;
+        for (label j = 0; j < d; ++j)
+        {
+            CC += sqr(data_.edgeArea()[e*d + j]);
+            rr += sqr
+            (
+                dual_.nodePosition()[b*d + j] - dual_.nodePosition()[a*d + j]
+            );
+        }
+        x_->jumpStiffness[e] = modulus*std::sqrt(CC/rr);
     }
 }
 
@@ -474,6 +498,10 @@ void Foam::solidBody::leap
                 }
             }
         }
+    }
+    forAll(x_->acceleration, k)
+    {
+        x_->acceleration[k] = perRho*(lm[k] - data_.old.lm[k])/half;
     }
     data_.state.sinceCommit = deltaT;
     lastStep_ = deltaT;

@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "variationalKernelTemplate.H"
+#include "jumpSensor.H"
 #include "ListOps.H"
 #include <cmath>
 
@@ -29,8 +30,11 @@ Foam::variationalData::variationalData
     (
         beta > 0 ? d.nNodes()*d.nDim()*columnStride(d.nDim()) : label(0)
     ),
-    roughness(2*d.nNodes(), Zero),
+    nRough(jumpSensor::nSquares(d.nDim())),
+    roughness(nRough*d.nNodes(), Zero),
     perEdges(d.nNodes(), Zero),
+    acceleration(nRough > 2 ? d.nNodes()*d.nDim() : label(0), Zero),
+    jumpStiffness(d.dual.nEdges(), Zero),
     adjoint(2*d.nNodes()*d.nDim()*columnStride(d.nDim())),
     T(d.nNodes()*d.nDim()*columnStride(d.nDim())),
     jacobian(smoothed ? d.nNodes() : 0, scalar(1)),
@@ -124,6 +128,7 @@ std::size_t Foam::variationalData::bytes() const
         (
             pairArea.size() + U.size() + grad.size() + inverse.size()
           + correction.size() + roughness.size() + perEdges.size()
+          + acceleration.size() + jumpStiffness.size()
           + adjoint.size() + T.size() + jacobian.size() + average.size()
           + unsmoothed.size() + dissipative.size() + geometricBound.size()
         );

@@ -6,7 +6,6 @@
 
 #include "variationalKernelTemplate.H"
 #include "cornerStates.H"
-#include "jumpSensor.H"
 #include "vertexKernel.H"
 #include <cmath>
 
@@ -90,6 +89,27 @@ inline variationalKernelTemplate<D, finite>::edgeMotion::edgeMotion
     closing = -(along + jumpAlong)*perLength2;
     jj = jumpAlong*jumpAlong*perLength2;
     mm = along*along*perLength2;
+}
+
+
+template<int D, bool finite>
+inline void variationalKernelTemplate<D, finite>::positionJump
+(
+    const scalar* U,
+    const scalar* grad,
+    const label a,
+    const label b,
+    const scalar* r,
+    scalar* jump
+)
+{
+    for (int i = 0; i < D; ++i) jump[i] = U[b*sU + i] - U[a*sU + i];
+    for (int j = 0; j < D; ++j)
+    {
+        const scalar* ga = grad + (a*D + j)*sU;
+        const scalar* gb = grad + (b*D + j)*sU;
+        for (int i = 0; i < D; ++i) jump[i] -= 0.5*(ga[i] + gb[i])*r[j];
+    }
 }
 
 
@@ -274,6 +294,7 @@ void variationalKernelTemplate<D, finite>::correct
     scalar closing = 0;
     scalar* correction = x.correction.data();
     scalar* rough = x.roughness.data();
+    const scalar* rush = x.acceleration.cdata();
 
     label e = 0, farthest = -1;
     for (label a = 0; a < d.nNodes(); ++a)
@@ -307,10 +328,21 @@ void variationalKernelTemplate<D, finite>::correct
                 X + a*D, X + b*D, U + a*sU, U + b*sU, ga + D, gb + D
             );
             closing = max(closing, m.closing);
-            rough[2*a] += m.jj;
-            rough[2*a + 1] += m.mm;
-            rough[2*b] += m.jj;
-            rough[2*b + 1] += m.mm;
+            scalar squares[nS] = {m.jj, m.mm};
+            if constexpr (nS > 2)
+            {
+                scalar hastening = 0;
+                for (int i = 0; i < D; ++i)
+                {
+                    hastening += (rush[b*D + i] - rush[a*D + i])*m.dx[i];
+                }
+                squares[2] = hastening*hastening;
+            }
+            for (int k = 0; k < nS; ++k)
+            {
+                rough[nS*a + k] += squares[k];
+                rough[nS*b + k] += squares[k];
+            }
             if (!corrects) continue;
 
             row<wC> change{};
@@ -470,10 +502,13 @@ void variationalKernelTemplate<D, finite>::fluxes
     const scalar halfZs = 0.5*d.rho*d.cs;
     const scalar* rough = x.roughness.cdata();
     const scalar* perEdges = x.perEdges.cdata();
+    const scalar* stiffness = x.jumpStiffness.cdata();
     const label nEdges = d.dual.nEdges();
 
     d.rates = Zero;
     x.adjoint = Zero;
+    const bool accounts = x.dissipative.size();
+    if (accounts) x.dissipative = Zero;
     scalar* rates = d.rates.data();
     scalar* adjoint = x.adjoint.data();
 
@@ -492,9 +527,31 @@ void variationalKernelTemplate<D, finite>::fluxes
 
         const label a = edge[2*e], b = edge[2*e + 1];
         const scalar* C = area + D*e;
-        // Adjoint of the corrections
         scalar* Xa = adjoint + a*2*sT;
         scalar* Xb = adjoint + b*2*sT;
+
+        // Force of the jump of the positions, and its adjoint
+        scalar apart[D], r[D];
+        for (int j = 0; j < D; ++j) r[j] = X[b*D + j] - X[a*D + j];
+        positionJump(U, grad, a, b, r, apart);
+        for (int i = 0; i < D; ++i)
+        {
+            const scalar s = stiffness[e]*apart[i];
+            rates[a*sR + i] += s;
+            rates[b*sR + i] -= s;
+            if (accounts)
+            {
+                x.dissipative[a*D + i] -= s;
+                x.dissipative[b*D + i] += s;
+            }
+            for (int j = 0; j < D; ++j)
+            {
+                Xa[j*sC + i] -= 0.5*s*r[j];
+                Xb[j*sC + i] -= 0.5*s*r[j];
+            }
+        }
+
+        // Adjoint of the corrections
         if (halfBeta > 0)
         {
             scalar f[D];
@@ -508,7 +565,7 @@ void variationalKernelTemplate<D, finite>::fluxes
             }
             for (int j = 0; j < D; ++j)
             {
-                const scalar rj = halfBeta*(X[b*D + j] - X[a*D + j]);
+                const scalar rj = halfBeta*r[j];
                 for (int i = 0; i < D; ++i)
                 {
                     Xa[j*sC + i] += f[i]*rj;
@@ -525,8 +582,7 @@ void variationalKernelTemplate<D, finite>::fluxes
         const scalar* dx = m.dx;
         const scalar leftOut = jumpSensor::leftOut<D>
         (
-            rough[2*a]*perEdges[a], rough[2*b]*perEdges[b],
-            rough[2*a + 1]*perEdges[a], rough[2*b + 1]*perEdges[b]
+            rough + nS*a, perEdges[a], rough + nS*b, perEdges[b], d.cp
         );
         const scalar share = x.epsilon + (1 - x.epsilon)*leftOut;
         scalar jump[D];
@@ -541,9 +597,8 @@ void variationalKernelTemplate<D, finite>::fluxes
             scalar Cr = 0, rr = 0, difference = 0;
             for (int j = 0; j < D; ++j)
             {
-                const scalar r = X[b*D + j] - X[a*D + j];
-                Cr += C[j]*r;
-                rr += r*r;
+                Cr += C[j]*r[j];
+                rr += r[j]*r[j];
                 difference +=
                     grad[(a*D + j)*sU + D + j] - grad[(b*D + j)*sU + D + j];
             }
@@ -713,7 +768,7 @@ void variationalKernelTemplate<D, finite>::forceLoop
     {
         for (label a = 0; a < d.nNodes(); ++a)
         {
-            for (int i = 0; i < D; ++i) part[a*D + i] = rates[a*sR + i];
+            for (int i = 0; i < D; ++i) part[a*D + i] += rates[a*sR + i];
         }
     }
 
@@ -797,6 +852,31 @@ void variationalKernelTemplate<D, finite>::forces
 ) const
 {
     energy ? forceLoop<2>(d, x) : forceLoop<1>(d, x);
+}
+
+
+template<int D, bool finite>
+scalar variationalKernelTemplate<D, finite>::jumpEnergy
+(
+    const vertexData& d,
+    const variationalData& x
+) const
+{
+    const label* edge = d.dual.edgeNodes().cdata();
+    const scalar* X = d.dual.nodePosition().cdata();
+    scalar energy = 0;
+    for (label e = 0; e < d.dual.nEdges(); ++e)
+    {
+        const label a = edge[2*e], b = edge[2*e + 1];
+        scalar jump[D], r[D];
+        for (int j = 0; j < D; ++j) r[j] = X[b*D + j] - X[a*D + j];
+        positionJump(x.U.cdata(), x.grad.cdata(), a, b, r, jump);
+        for (int i = 0; i < D; ++i)
+        {
+            energy += 0.5*x.jumpStiffness[e]*jump[i]*jump[i];
+        }
+    }
+    return energy;
 }
 
 

@@ -208,6 +208,13 @@ void Foam::HenckyVonMises::stressLoop
 }
 
 
+Foam::scalar Foam::HenckyVonMises::jumpModulus() const
+{
+    const scalar H = max(yieldStress(1) - yieldStress(0), scalar(0));
+    return mu()*H/(3*mu() + H);
+}
+
+
 template<int D, class Hardening>
 Foam::scalar Foam::HenckyVonMises::commitLoop
 (
