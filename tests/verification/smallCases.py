@@ -97,11 +97,53 @@ class Body:
                            "simpleGrading (1 1 1)"),
                 "boundary": boundary}
 
+    def makeMesh(self, case):
+        case.dictionary(f"system/{self.name}/blockMeshDict", self.mesh())
+        checked(["blockMesh", "-region", self.name], case.path)
+
+    @property
+    def patches(self):
+        return tuple(SIDES)
+
     def condition(self, side):
         if SIDES[side][0] >= self.dimensions:
             return condition("empty")
         given = self.sides.get(side, "tractionFree")
         return given if isinstance(given, dict) else condition(given)
+
+
+@dataclass
+class GmshBody(Body):
+    """A body of tetrahedra. Its sides are the physical surfaces of a geometry
+    that gmsh reads."""
+
+    cells: tuple = ()
+    geometry: str = ""
+
+    @property
+    def dimensions(self):
+        return 3
+
+    @property
+    def patches(self):
+        return tuple(self.sides)
+
+    def condition(self, side):
+        given = self.sides[side]
+        return given if isinstance(given, dict) else condition(given)
+
+    def makeMesh(self, case):
+        (case/f"{self.name}.geo").write_text(self.geometry)
+        checked(["gmsh", "-3", "-format", "msh2", "-nt", "1", "-o",
+                 f"{self.name}.msh", f"{self.name}.geo"], case.path)
+        checked(["gmshToFoam", "-region", self.name, f"{self.name}.msh"],
+                case.path)
+        for side in self.patches:
+            if self.condition(side)["type"] == "symmetryPlane":
+                case.replace(
+                    f"constant/{self.name}/polyMesh/boundary",
+                    rf"(\b{side}\s*{{\s*type\s+)patch;"
+                    r"(\s*physicalType\s+\w+;)?", r"\1symmetryPlane;")
 
 
 def distorted(amplitude, size=(1, 1, 1), dimensions=3, start=(0, 0, 0)):
@@ -175,8 +217,7 @@ class SmallCase(Case):
         self.dictionary(f"constant/{name}/mechanicalProperties", body.material)
         if body.forces:
             self.dictionary(f"constant/{name}/bodyForces", body.forces)
-        self.dictionary(f"system/{name}/blockMeshDict", body.mesh())
-        checked(["blockMesh", "-region", name], self.path)
+        body.makeMesh(self)
         if body.moved:
             X = body.moved(self.points(name))
             self.write(f"constant/{name}/polyMesh/points", "vectorField",
@@ -194,7 +235,7 @@ class SmallCase(Case):
 
     def writePointField(self, body, name, dimensions, U, kind="vector"):
         patches = {}
-        for side in SIDES:
+        for side in body.patches:
             patch = body.condition(side)
             if name != "pointU" and patch["type"] not in (
                     "empty", "symmetryPlane", "slip"):
