@@ -905,6 +905,7 @@ void Foam::solidBody::restoreOld()
     {
         data_.state.lm = data_.old.lm;
         data_.state.disp = data_.old.disp;
+        x_->acceleration = x_->oldAcceleration;
         lastStep_ = oldStep_;
     }
     else

@@ -148,6 +148,19 @@ void Foam::solidBody::readState()
 
     if (data_.variational)
     {
+        if (x_->acceleration.size())
+        {
+            const auto rush =
+                readIfPresent<vector>("acceleration", dimAcceleration);
+            for (label a = 0; a < n && rush.valid(); ++a)
+            {
+                for (label i = 0; i < d; ++i)
+                {
+                    x_->acceleration[a*d + i] =
+                        rush().primitiveField()[point[a]][dir[i]];
+                }
+            }
+        }
         deform();
     }
     else if (F.valid())
@@ -357,6 +370,17 @@ void Foam::solidBody::write()
         "lm", dimDensity*dimVelocity,
         [&](const label a) { return expand(s.lm.cdata() + a*d); }
     );
+    if (data_.variational && x_->acceleration.size())
+    {
+        writeField<vector>
+        (
+            "acceleration", dimAcceleration,
+            [&](const label a)
+            {
+                return expand(x_->acceleration.cdata() + a*d);
+            }
+        );
+    }
     writeField<vector>
     (
         "pointD", dimLength,

@@ -435,6 +435,7 @@ void Foam::solidBody::keepOld()
 {
     data_.old.lm = data_.state.lm;
     data_.old.disp = data_.state.disp;
+    x_->oldAcceleration = x_->acceleration;
     oldStep_ = lastStep_;
 }
 

@@ -34,6 +34,7 @@ Foam::variationalData::variationalData
     roughness(nRough*d.nNodes(), Zero),
     perEdges(d.nNodes(), Zero),
     acceleration(nRough > 2 ? d.nNodes()*d.nDim() : label(0), Zero),
+    oldAcceleration(acceleration),
     jumpStiffness(d.dual.nEdges(), Zero),
     adjoint(2*d.nNodes()*d.nDim()*columnStride(d.nDim())),
     T(d.nNodes()*d.nDim()*columnStride(d.nDim())),
@@ -128,7 +129,7 @@ std::size_t Foam::variationalData::bytes() const
         (
             pairArea.size() + U.size() + grad.size() + inverse.size()
           + correction.size() + roughness.size() + perEdges.size()
-          + acceleration.size() + jumpStiffness.size()
+          + 2*acceleration.size() + jumpStiffness.size()
           + adjoint.size() + T.size() + jacobian.size() + average.size()
           + unsmoothed.size() + dissipative.size() + geometricBound.size()
         );

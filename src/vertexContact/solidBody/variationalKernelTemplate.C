@@ -580,9 +580,10 @@ void variationalKernelTemplate<D, finite>::fluxes
             grad + a*sU*D + D, grad + b*sU*D + D
         );
         const scalar* dx = m.dx;
+        scalar fast;
         const scalar leftOut = jumpSensor::leftOut<D>
         (
-            rough + nS*a, perEdges[a], rough + nS*b, perEdges[b], d.cp
+            rough + nS*a, perEdges[a], rough + nS*b, perEdges[b], d.cp, fast
         );
         const scalar share = x.epsilon + (1 - x.epsilon)*leftOut;
         scalar jump[D];
@@ -603,7 +604,8 @@ void variationalKernelTemplate<D, finite>::fluxes
                     grad[(a*D + j)*sU + D + j] - grad[(b*D + j)*sU + D + j];
             }
             const scalar q =
-                0.25*x.volumeImpedance*Cr*std::sqrt(rr)/(D + 1)*difference;
+                0.25*fast*x.volumeImpedance*Cr*std::sqrt(rr)/(D + 1)
+               *difference;
             for (int j = 0; j < D; ++j)
             {
                 Xa[sT + j*sC + j] += q;
@@ -684,7 +686,11 @@ void variationalKernelTemplate<D, finite>::collectAdjoint
             scalar rate = 0;
             for (int j = 0; j < D; ++j) rate += L[j*sU + j];
             const scalar h = std::pow(V[a], scalar(1)/D);
-            const scalar q = 0.06*x.volumeImpedance*h*V[a]*rate;
+            // Means, of which the number of edges cancels
+            const scalar fast =
+                jumpSensor::haste<D>(x.roughness.cdata() + nS*a, d.cp);
+            const scalar q =
+                0.06*fast*x.volumeImpedance*h*V[a]*rate;
             for (int j = 0; j < D; ++j) Z[j*sC + j] += q;
         }
         if constexpr (finite)
