@@ -68,7 +68,8 @@ def test_long_rest(tmp_path, figures, on, weight):
                                     "surface"))))
 def test_rest_has_no_step(tmp_path, figures, on):
     """Where it rests does not depend on the length of the steps."""
-    D = [pressed(tmp_path/f"{maxCo}", on, 0.05, 1500, {"maxCo": maxCo}).at(
+    time = 12000 if on == "plane" else 4000
+    D = [pressed(tmp_path/f"{maxCo}", on, 0.05, time, {"maxCo": maxCo}).at(
         "pointD", region="block") for maxCo in (0.9, 0.45)]
     with figures(f"scenes, rest on a {on}, two steps") as f:
         f.atMost("difference / cell", 2*largest(D[1] - D[0]), 1e-6)
@@ -79,12 +80,14 @@ def test_rest_has_no_step(tmp_path, figures, on):
 @pytest.mark.parametrize("weight", (0.005, 0.05))
 def test_rest_3d(tmp_path, figures, law, weight):
     """A block on a base of four times finer mesh, in three dimensions, comes
-    to rest: its kinetic energy falls and falls."""
+    to rest: its kinetic energy falls and falls. Without friction not for ever:
+    it slides off the base, which is softer towards its edges."""
     tied = law["type"] == "tied"
     block = Body((2, 2, 2), name="block", sides={"bottom": "contact"})
     base = Body((10, 4, 10), name="base", start=(-0.125, -0.5, -0.125),
                 size=(1.25, 0.5, 1.25), sides={**CLAMP, "top": "contact"})
-    time = 400
+    slides = law == coulomb(0)
+    time = 700 if slides else 2000
     run = case(tmp_path, [block, base], time, {"writeInterval": time/2},
                every=10, gravity=(0, -weight, 0), interfaces={
                    "contact": interface(
@@ -99,7 +102,7 @@ def test_rest_3d(tmp_path, figures, law, weight):
     with figures(f"scenes, 3D 1:4, {law}, {weight}") as f:
         f.falling("kinetic energy", late)
         f.atMost("kinetic energy at the end / largest", late[-1]/kinetic.max(),
-                 1e-3)
+                 2e-2 if slides else 1e-3)
         f.atMost("drift in the last half / cell", 2*largest(D[1] - D[0]), 0.02)
         f.atMost("energy gained / largest kinetic energy",
                  (own - np.minimum.accumulate(own)).max()/kinetic.max(), 1e-3)
@@ -138,11 +141,6 @@ def test_momenta_for_long(tmp_path, figures):
                  largest(p - p[0])/0.1, 1e-12)
 
 
-CHECKERBOARD = pytest.mark.xfail(strict=True, reason="(-1)^(i + j + k) has no "
-                                 "energy in blocks of equal hexahedra")
-
-
-@CHECKERBOARD
 def test_rough_turns(tmp_path, figures):
     """Twenty turns of a free block that was not only made to rotate: once its
     waves have died it goes on as a rigid one."""
@@ -155,7 +153,7 @@ def test_rough_turns(tmp_path, figures):
 
 
 @pytest.mark.parametrize("cells", (
-    (6,), (6, 6), pytest.param((4, 4, 4), marks=CHECKERBOARD)), ids=str)
+    (6,), (6, 6), (4, 4, 4)), ids=str)
 def test_checkerboard(tmp_path, figures, cells):
     """Displacements that alternate from node to node have an energy."""
     n, a = cells[0], 0.01
@@ -215,9 +213,7 @@ def ball(centre, size):
 HERTZ_RADIUS = 0.155        # of the largest contact, two balls
 
 
-@pytest.mark.parametrize("perRadius", (pytest.param(
-    1, marks=pytest.mark.xfail(strict=True, reason="0.915: where a ball is "
-                               "dented, the sensor sees a front")), 2))
+@pytest.mark.parametrize("perRadius", (1, 2))
 def test_ball_cradle(tmp_path, figures, perRadius):
     """Newton's cradle of five balls, with one or two elements over the radius
     of the largest contact: the last ball takes the velocity of the first."""
@@ -250,8 +246,8 @@ ALUMINIUM = {"type": "neoHookean", "rho": 2700, "E": 70e9, "nu": 0.33}
 @pytest.mark.parametrize("joint, nu", (
     ("tied", 0.4), ("frictionless", 0.4), ("tied", 0.45),
     pytest.param("tied", 0.49, marks=pytest.mark.xfail(
-        strict=True, reason="0.13: of the pressure waves in the rubber, 0.08 "
-        "inside and 0.05 where it touches"))))
+        strict=True, reason="0.09: of the pressure waves in the rubber, 0.06 "
+        "inside and 0.03 where it touches"))))
 def test_bumper(tmp_path, figures, joint, nu):
     """An aluminium box with a rubber bumper falls on a rigid plane at 3 m/s:
     of its energy little is lost until it has left the plane again."""
@@ -367,7 +363,7 @@ def spin(run):
 
 @pytest.mark.parametrize("cells, hits", (
     ((6, 6), "corner"),
-    pytest.param((4, 4, 4), "corner", marks=CHECKERBOARD),
+    ((4, 4, 4), "corner"),
     ((6, 6), "on its own corner")), ids=str)
 def test_block_off_a_corner(tmp_path, figures, cells, hits):
     """A block that has bounced off the corner of an obstacle, or on its own
