@@ -82,8 +82,6 @@ PAIRS = (
      CELLS, {**CELLS, "material": {**PLASTIC, "tauY": 1e3}}),
     ("plasticity", "every node yields against neo-Hookean", block,
      CELLS, {**CELLS, "material": YIELDING}),
-    ("angular momentum", "preserved (default) against not", block,
-     {**CELLS, "preserveAngularMomentum": "no"}, CELLS),
     ("energies", "solidEnergies each step against none", block,
      CELLS, {**CELLS, "functions": True}),
     ("energies", "maxEnergyRise against none", block,

@@ -165,7 +165,7 @@ Two runs on one rank each, at the same time, take {slower:.3f} times as long as 
 
 What a rank of the two sends in a step (two stages; Open MPI's `pml_monitoring`): {messages + reductions:.1f} messages and {size + reduced:,.0f} bytes to its
 neighbour: {EXCHANGES} exchanges of gradients and rates, {bytesShared:,.0f} bytes for each of the {shared:,} nodes that it shares, and {collective:.1f} messages of
-reductions (the check of the state, with signals and pairings, and angular momentum in both stages; a step that adjusts itself needs one more).
+reductions (the check of the state, with signals and pairings; a step that adjusts itself needs one more).
 Blocks of 125 nodes take {1e6*s1:.1f} µs a step on one rank and {1e6*s2:.1f} µs on two: {1e6*latency:.2f} µs a message between cores of one machine.
 
 ## {MANY[0]:.0e} nodes on {MANY[1]:.0e} ranks, on paper

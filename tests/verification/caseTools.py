@@ -118,6 +118,13 @@ class Case:
     def totalEnergy(self):
         return self.energies["total:kinetic"] + self.energies["total:strain"]
 
+    @property
+    def ownEnergy(self):
+        """Total energy less the works. Of the default scheme this may only
+        fall: contact stores energy, and gives it back by its work."""
+        return (self.totalEnergy - self.energies["total:externalWork"]
+                - self.energies["total:contactWork"])
+
     def field(self, time, region, name):
         """Values of a point field, one row a point."""
         file = FoamFile(self.path/time/region/name)

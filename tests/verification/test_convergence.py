@@ -16,12 +16,12 @@ SCHEMES = {"default": {}, "linear": {"reconstruction": "linear"},
 THREE = {name: SCHEMES[name] for name in ("default", "linear", "unlimited")}
 
 # Least order from mesh to mesh. The default limiter clips the averages at
-# mid-edge around smooth extrema, a change by O(h^2) from one node to the next
-# (averageFactor in vectorLimiter.H), and is of less than second order in waves;
-# Venkatakrishnan nearly is. Meshes in 3D are coarse: 1.79 there.
+# mid-edge around smooth extrema, a change by O(h^2) from one node to the next,
+# and is of less than second order in waves; Venkatakrishnan clips them, too.
+# Meshes in 3D are coarse: 1.79 there.
 SECOND = 1.75
 LEAST = {"default": 1.3, "linear": SECOND, "unlimited": SECOND,
-         "Venkatakrishnan": 1.7}
+         "Venkatakrishnan": 1.6}
 SIDES = "left", "right", "bottom", "top", "back", "front"
 MU, KAPPA = 0.5/1.3, 1/1.2          # E = 1, nu = 0.3, rho = 1
 CP, CS = np.sqrt(KAPPA + 4/3*MU), np.sqrt(MU)

@@ -11,14 +11,15 @@ import numpy as np
 import pytest
 
 import hertzSolution
-from caseTools import Tutorial
+from caseTools import DEFAULT, Tutorial
 from test_rings import rise
 
 HERTZ = "hertzContact"
 TWO = (("SCENE", "spheres"),)
-COARSE_PLANE, PLANE = (Tutorial(HERTZ, mesh) for mesh in ("3", "I"))
-COARSE_SPHERES, SPHERES = (Tutorial(HERTZ, mesh, options=TWO)
-                           for mesh in ("3", "I"))
+COARSE_PLANE, PLANE = (
+    Tutorial(HERTZ, mesh, preset=DEFAULT) for mesh in ("3", "I"))
+COARSE_SPHERES, SPHERES = (
+    Tutorial(HERTZ, mesh, options=TWO, preset=DEFAULT) for mesh in ("3", "I"))
 
 scenes = pytest.mark.scenes
 
@@ -42,20 +43,21 @@ def rebound(case):
 def checkImpact(f, scene, run, peak, time, back):
     """Tolerances of peak force and duration, least speed away / towards."""
     case = run(scene)
-    contact, total = case.contact("contact"), case.totalEnergy
+    contact, total = case.contact("contact"), case.ownEnergy
     spheres = scene in (COARSE_SPHERES, SPHERES)
     # Corners of spheres touch in their centroids, behind the poles
     f.within("first contact [ms]",
              1e3*contact["Time"][contact["area"] > 0][0],
-             1e3*hertzSolution.FIRST_CONTACT, 0.03 if spheres else 1e-3)
+             1e3*hertzSolution.FIRST_CONTACT, 0.03 if spheres else 5e-3)
     f.within("peak force / Hertz", force(case).max()/hertzSolution.FORCE, 1,
              peak)
     f.within("duration / Hertz", duration(case)/hertzSolution.DURATION, 1,
              time)
     f.atLeast("speed away / towards", rebound(case), back)
-    f.atMost("largest rise of the total energy / initial", rise(total), 1e-10)
+    f.atMost("largest rise of the energy less works / initial", rise(total),
+             1e-3)
     f.atMost("largest penetration / face",
-             contact["relativePenetration"].max(), 0.05)
+             contact["relativePenetration"].max(), 0.08)
     f.atMost("residual of the energy balance / initial",
              np.abs(case.energies["total:balance"]).max()/total[0], 5e-4)
 

@@ -4,6 +4,7 @@ pairings that follow the bodies."""
 import numpy as np
 import pytest
 
+from caseTools import DEFAULT, PRESET
 from smallCases import (RUBBER, SIDES, Body, SmallCase, condition, coulomb,
                         distorted, interface, largest)
 
@@ -17,8 +18,8 @@ def angular(case):
 
 
 def rise(case):
-    """Largest rise of the total energy over any earlier value / initial."""
-    E = case.totalEnergy
+    """Largest rise of the energy less works over any earlier value / initial."""
+    E = case.ownEnergy
     return float(np.max(E - np.minimum.accumulate(E))/E[0])
 
 
@@ -38,9 +39,9 @@ def between(**settings):
                                  **settings)}
 
 
-def collide(folder, bodies, ranks=1, endTime=1.5, **settings):
+def collide(folder, bodies, ranks=1, endTime=1.5, preset=PRESET, **settings):
     case = SmallCase(folder, bodies, endTime, interfaces=between(**settings),
-                     functions=("contactForces",))
+                     functions=("contactForces",), preset=preset)
     return case.run() if ranks == 1 else case.runParallel(ranks)
 
 
@@ -63,7 +64,7 @@ def test_momentum(tmp_path, figures, ratio, pairing):
     if pairing == "matching" and not same:
         return
     case = collide(tmp_path, blocks(*MESHES[ratio], shift=0 if same else 0.3),
-                   pairing=pairing)
+                   pairing=pairing, preset=DEFAULT)
     contact = case.contact("contact")
     with figures(f"blocks meet, faces {ratio}, {pairing}") as f:
         f.atMost("change of momentum / initial", momentumChange(case), 1e-12)
@@ -177,7 +178,7 @@ def test_patch(tmp_path, figures, name):
                 # not exact on distorted faces
                 exact = transfer == "conservative" or not more
                 f.atMost("error of the stress / pressure", stress,
-                         1e-10 if exact else 0.2)
+                         1e-10 if exact else 0.3)
                 f.atMost("velocity / c", velocity, 1e-10 if exact else 0.02)
 
 
@@ -269,9 +270,10 @@ def test_self_contact(tmp_path, figures, ranks):
     """An open ring closes: its ends meet, then its inner side meets itself."""
     body = Body(cells=(4, 64), moved=bent, sides={
         "bottom": "contact", "top": "contact", "left": "contact"},
-        velocity=lambda X: -0.25*X*(1, 0, 0))
+        velocity=lambda X: -0.35*X*(1, 0, 0))
     case = SmallCase(
-        tmp_path, body, 5, functions=("contactForces",), interfaces={
+        tmp_path, body, 5, functions=("contactForces",), preset=DEFAULT,
+        interfaces={
             "ends": interface(("body", "bottom"), ("body", "top"),
                               pairing="nearestFace"),
             "inside": interface(("body", "left"), ("body", "left"),

@@ -46,9 +46,9 @@ def checkImpact(f, case):
         case.momentum
     touching = contact["area"] > 0
     f.within("first contact [us]", 1e6*contact["Time"][touching][0], 4, 0.1)
-    f.atMost("largest rise of the total energy / initial", rise(total), 1e-10)
+    f.atMost("largest rise of the total energy / initial", rise(total), 3e-3)
     f.atMost("largest penetration / face", contact["relativePenetration"].max(),
-             0.05)
+             0.08)
     f.atMost("change of total momentum / a bar's", max(
         np.abs(momentum[f"total:p{c}"] - momentum[f"total:p{c}"][0]).max()
         for c in "xyz")/momentum["bar1:px"][0], 1e-12)
@@ -67,7 +67,7 @@ def test_coarse(run, figures, scene):
         checkImpact(f, case)
         contact = case.contact("bars")
         f.within("last contact [us]",
-                 1e6*contact["Time"][contact["area"] > 0][-1], 239, 3)
+                 1e6*contact["Time"][contact["area"] > 0][-1], 239, 4)
         f.atLeast("energy at 250 us / initial",
                   case.totalEnergy[-1]/case.totalEnergy[0], 0.8)
         # The peak is that of the first step; the impulse is that of all

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from caseTools import DEFAULT, PRESET
 from smallCases import (ELASTIC, RUBBER, Body, SmallCase, coulomb, interface,
                         largest)
 
@@ -27,9 +28,9 @@ def block(cells, velocity=DOWN, gap=0.01, material=RUBBER):
                 sides={"bottom": "contact"})
 
 
-def fall(folder, body, endTime=3, ranks=1, **settings):
+def fall(folder, body, endTime=3, ranks=1, preset=PRESET, **settings):
     case = SmallCase(folder, body, endTime, interfaces=wall(**settings),
-                     functions=("contactForces",))
+                     functions=("contactForces",), preset=preset)
     return case.run() if ranks == 1 else case.runParallel(ranks)
 
 
@@ -74,10 +75,10 @@ def test_plane_wave(tmp_path, figures):
 def test_shapes(tmp_path, figures, shape, ranks):
     """A block falls on obstacles: its change of momentum is the impulse, and
     it bounces."""
-    case = fall(tmp_path, block((6, 6, 6)), ranks=ranks,
+    case = fall(tmp_path, block((6, 6, 6)), ranks=ranks, preset=DEFAULT,
                 obstacle=SHAPES[shape])
     contact = case.contact("wall")
-    E = case.totalEnergy
+    E = case.ownEnergy
     with figures(f"block falls on a {shape}, {ranks} ranks") as f:
         f.atMost("change of momentum - impulse / momentum",
                  largest(gained(case) - impulse(case))/0.05, 1e-12)
@@ -85,8 +86,8 @@ def test_shapes(tmp_path, figures, shape, ranks):
         f.atMost("impulse along the surface / across", largest(
             impulse(case)[-1, (0, 2)])/impulse(case)[-1, 1], 1e-9)
         f.atMost("largest penetration / face",
-                 contact["relativePenetration"].max(), 0.05)
-        f.atMost("largest rise of energy / initial",
+                 contact["relativePenetration"].max(), 0.08)
+        f.atMost("largest rise of the energy less works / initial",
                  np.max(E - np.minimum.accumulate(E))/E[0], 1e-3)
         f.atMost("balance residual / initial energy",
                  largest(case.energies["total:balance"])/E[0], 2e-3)

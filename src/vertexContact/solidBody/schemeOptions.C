@@ -6,7 +6,6 @@
 
 #include "schemeOptions.H"
 #include "dictionaryCheck.H"
-#include "Switch.H"
 #include "dimensionSets.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -141,11 +140,6 @@ Foam::schemeOptions::schemeOptions
         materialModel::jacobianFormNames, dict, "jacobian", jacobian
     );
 
-    preserveAngularMomentum = dict.getOrDefault<Switch>
-    (
-        "preserveAngularMomentum", preserveAngularMomentum
-    );
-
     if (dict.found("waveSpeed"))
     {
         const word speed(dict.get<word>("waveSpeed"));
@@ -236,11 +230,6 @@ Foam::keywordList Foam::schemeOptions::paperKeywords() const
                 materialModel::jacobianFormNames,
                 "isochoric stress from F alone, or as printed in the paper"
             )
-        },
-        {
-            "preserveAngularMomentum", "", preserveAngularMomentum
-          ? "yes" : "no",
-            "internal forces without torque"
         },
         {
             "waveSpeed", "", waveSpeedNames[stretchedWaves],

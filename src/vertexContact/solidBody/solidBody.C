@@ -200,15 +200,8 @@ void Foam::solidBody::makeCorners()
         const solidBoundaryCondition& bc = condition(patchi);
         hasContact_ = hasContact_ || bc.contact();
 
-        // A free surface needs states only where its stress is relaxed
-        if
-        (
-            bc.tractionFree()
-         && (
-                data_.variational
-             || options_.reconstruction != reconstructionType::full
-            )
-        )
+        // The variational scheme needs no states of a free surface
+        if (bc.tractionFree() && data_.variational)
         {
             continue;
         }
@@ -388,11 +381,6 @@ Foam::solidBody::solidBody
     ),
     mirrorPatches_(findMirrors(mesh_, pointU_)),
     symmetry_(dual_, mirrorPatches_),
-    angularMomentum_
-    (
-        data_, symmetry_,
-        options_.preserveAngularMomentum && !data_.variational
-    ),
     stretchedWaves_
     (
         (options_.stretchedWaves || data_.variational)
@@ -700,12 +688,7 @@ void Foam::solidBody::computeGradients()
 }
 
 
-void Foam::solidBody::computeFluxes
-(
-    const bool energy,
-    const scalar dt,
-    scalar* angularSums
-)
+void Foam::solidBody::computeFluxes(const bool energy)
 {
     if (data_.variational)
     {
@@ -715,25 +698,11 @@ void Foam::solidBody::computeFluxes
 
     // Pass A: gradients, and nodes
     computeGradients();
-    if (options_.reconstruction == reconstructionType::full)
-    {
-        forAll(corners_, patchi)
-        {
-            if (corners_.set(patchi))
-            {
-                kernel_->relaxFree(data_, depth_[patchi], corners_[patchi]);
-            }
-        }
-    }
 
     // Pass B: limiter and fluxes
     data_.numericalDissipation = 0;
     powers_ = powers();
     kernel_->fluxes(data_, energy);
-    if (angularMomentum_.active())
-    {
-        angularMomentum_.measure(data_, dt, angularSums);
-    }
     for (const dualPatch& patch : dual_.patches())
     {
         const label patchi = patch.patchIndex;
@@ -752,25 +721,10 @@ void Foam::solidBody::computeFluxes
 }
 
 
-void Foam::solidBody::finishRates
-(
-    const scalar time,
-    const bool energy,
-    const scalar dt,
-    const scalar* angularSums
-)
+void Foam::solidBody::finishRates(const scalar time, const bool energy)
 {
     evaluated_ = true;
     reusable_ = true;
-    if (angularMomentum_.active())
-    {
-        powers_.numericalDissipation +=
-            angularMomentum_.correct
-            (
-                data_, dt, angularSums, energy || keepsReserve()
-            );
-    }
-
     addBodyForces(time, energy);
     if (data_.variational) react();
 

@@ -568,8 +568,7 @@ void Foam::solidBody::reportPaper(Ostream& os) const
            )
         << ", limiter " << onOff(options_.limiter != limiterType::none)
         << ", dissipation " << options_.dissipation
-        << ", waves " << (stretchedWaves_ ? "stretched" : "linear")
-        << ", angular momentum preserved " << onOff(angularMomentum_.active());
+        << ", waves " << (stretchedWaves_ ? "stretched" : "linear");
 }
 
 

@@ -134,10 +134,8 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
     const label nEdges = d.dual.nEdges();
     const scalar halfZp = 0.5*d.dissipation*d.rho*d.cp;
     const scalar halfZs = 0.5*d.dissipation*d.rho*d.cs;
-    const scalar zp = d.rho*d.cp;
-    const scalar perZp = 0.5/zp;
+    const scalar perZp = 0.5/(d.rho*d.cp);
     scalar dissipation = 0;
-    const lanes feedShare = lanes{} + d.feedShare;
 
     // Rows of an edge: components of v and SigmaJ, of a column, of gradients
     constexpr int wU = rowWidth(D + nSJ);
@@ -382,7 +380,8 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
             nSJ == 1 ? of.lane(atDifference + D) : lanes{};
         lanes jumpSJ = differenceSJ;
 
-        // Corrections of the averages
+        // Corrections of the averages: half of what the limited changes of both
+        // sides differ
         vectorLanes vCorrection, tCorrection;
 
         if constexpr (!none)
@@ -395,12 +394,13 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
             }
             if constexpr (full)
             {
-                vCorrection = slopeLimiter::limitAverage<limiter>
-                (
-                    n, difference, da, db
-                );
                 slopeLimiter::limitVectors<limiter>(n, difference, da, db);
-                for (int i = 0; i < D; ++i) jump[i] -= da[i] + db[i];
+                for (int i = 0; i < D; ++i)
+                {
+                    jump[i] -= da[i] + db[i];
+                    vCorrection[i] = 0.5*(da[i] - db[i]);
+                    vAvg[i] += vCorrection[i];
+                }
             }
             else
             {
@@ -442,10 +442,11 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
                         db[i] += changeB(k)*area[j];
                     }
                 }
-                tCorrection = slopeLimiter::limitAverage<limiter>
-                (
-                    n, tDifference, da, db
-                );
+                slopeLimiter::limitVectors<limiter>(n, tDifference, da, db);
+                for (int i = 0; i < D; ++i)
+                {
+                    tCorrection[i] = 0.5*(da[i] - db[i]);
+                }
             }
         }
 
@@ -457,22 +458,6 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
         {
             dissipative[i] = waveC*(halfZs*jump[i] + jumpN*n[i]);
             if constexpr (full) dissipative[i] += tCorrection[i];
-        }
-
-        // What feeds energy: as far as there is a reserve (dissipationReserve)
-        if constexpr (full)
-        {
-            const lanes gained = dot(vCorrection, tDifference)/
-            (
-                waveC*zp*dot(vCorrection, vCorrection) + VSMALL
-            );
-            const lanes one = lanes{} + scalar(1);
-            const lanes keep = min(one, max(feedShare, one + 10*gained));
-            for (int i = 0; i < D; ++i)
-            {
-                vCorrection[i] *= keep;
-                vAvg[i] += vCorrection[i];
-            }
         }
 
         // Dissipation of J (63c), (64)

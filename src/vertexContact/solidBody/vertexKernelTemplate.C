@@ -267,75 +267,6 @@ void vertexKernelTemplate<D, nSJ, R, finite>::addBoundaryGradients
 
 
 template<int D, int nSJ, reconstructionType R, bool finite>
-void vertexKernelTemplate<D, nSJ, R, finite>::relaxFree
-(
-    const vertexData& d,
-    const scalarField& depth,
-    cornerStates& c
-) const
-{
-    if constexpr (full)
-    {
-        const dualPatch& g = c.geometry;
-        const FixedList<label, 3>& dir = d.dual.directions();
-        const scalar* grad = d.grad.cdata();
-
-        for (label k = 0; k < g.nCorners(); ++k)
-        {
-            if (!c.released[k])
-            {
-                continue;
-            }
-
-            const label a = g.cornerNode[k];
-            const SolidVector<D> N =
-                SolidVector<D>::load(g.cornerNormal.cdata() + D*k);
-
-            // Normal traction that the surface should not have, here and at
-            // the next node inside
-            const scalar here = (c.t[k] - c.tB[k]) & c.n[k];
-            scalar change = 0;
-            for (int i = 0; i < D; ++i)
-            {
-                for (int j = 0; j < D; ++j)
-                {
-                    scalar along = 0;
-                    for (int m = 0; m < D; ++m)
-                    {
-                        along += grad[a*sG*D + atGrad(atP_(i, j), m)]*N[m];
-                    }
-                    change += c.n[k][dir[i]]*N[j]*along;
-                }
-            }
-            const scalar inside = here - depth[k]*change;
-
-            if (here*inside < 0)
-            {
-                const scalar residual =
-                    mag(here) < mag(inside) ? here : -inside;
-
-                // A body at rest must not creep
-                scalar changeV = 0;
-                for (int i = 0; i < D; ++i)
-                {
-                    scalar along = 0;
-                    for (int m = 0; m < D; ++m)
-                    {
-                        along += grad[a*sG*D + atGrad(i, m)]*N[m];
-                    }
-                    changeV += c.n[k][dir[i]]*along;
-                }
-                const scalar most = releasedShare*mag(depth[k]*changeV);
-                const scalar speed =
-                    releasedShare*residual/(c.waveFactor[k]*c.zp);
-                c.vB[k] -= max(-most, min(most, speed))*c.n[k];
-            }
-        }
-    }
-}
-
-
-template<int D, int nSJ, reconstructionType R, bool finite>
 void vertexKernelTemplate<D, nSJ, R, finite>::fluxes
 (
     vertexData& d,
@@ -346,16 +277,8 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxes
 
     const auto run = [&](auto limiter)
     {
-        // The reserve of full reconstruction needs the dissipation
         constexpr auto type = decltype(limiter)::value;
-        if constexpr (full)
-        {
-            fluxLoop<type, true>(d);
-        }
-        else
-        {
-            energy ? fluxLoop<type, true>(d) : fluxLoop<type, false>(d);
-        }
+        energy ? fluxLoop<type, true>(d) : fluxLoop<type, false>(d);
     };
 
     using type = limiterType;
@@ -389,17 +312,10 @@ scalar vertexKernelTemplate<D, nSJ, R, finite>::addBoundaryFluxes
     const bool energy
 ) const
 {
-    if constexpr (full)
-    {
-        return boundaryFluxLoop<true>(d, patch, c);
-    }
-    else
-    {
-        return
-            energy
-          ? boundaryFluxLoop<true>(d, patch, c)
-          : boundaryFluxLoop<false>(d, patch, c);
-    }
+    return
+        energy
+      ? boundaryFluxLoop<true>(d, patch, c)
+      : boundaryFluxLoop<false>(d, patch, c);
 }
 
 

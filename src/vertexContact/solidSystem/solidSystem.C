@@ -10,7 +10,6 @@
 #include "writtenTimes.H"
 #include "uniformDimensionedFields.H"
 #include "IOdictionary.H"
-#include "PstreamCombineReduceOps.H"
 #include <chrono>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -174,33 +173,10 @@ void Foam::solidSystem::evaluate(const scalar time, const int stage)
     }
     solveBoundaries(time, true, stage == 0);
 
-    // One message for all bodies
-    const scalar dt =
-        integrator_.shiftsArms(stage) ? runTime_.deltaTValue() : 0;
-    bool sums = false;
-    forAll(bodies_, i)
+    for (solidBody& body : bodies_)
     {
-        scalar* mine = sums_.data() + nSums*i;
-        bodies_[i].computeFluxes(energiesOn_, dt, mine);
-        mine[atDissipated] = dissipated_[i];
-        sums =
-            sums || bodies_[i].correctsAngularMomentum()
-         || (stage == 0 && bodies_[i].keepsReserve());
-    }
-    if (sums && Pstream::parRun())
-    {
-        Pstream::listCombineGather(sums_, plusEqOp<scalar>());
-        Pstream::listCombineScatter(sums_);
-    }
-    forAll(bodies_, i)
-    {
-        const scalar* all = sums_.cdata() + nSums*i;
-        bodies_[i].finishRates(time, energiesOn_, dt, all);
-        if (stage == 0 && bodies_[i].keepsReserve())
-        {
-            bodies_[i].addToReserve(all[atDissipated]);
-            dissipated_[i] = 0;
-        }
+        body.computeFluxes(energiesOn_);
+        body.finishRates(time, energiesOn_);
     }
 }
 
@@ -211,8 +187,8 @@ void Foam::solidSystem::evaluateForces(const scalar time)
     for (solidBody& body : bodies_)
     {
         body.prepare(time, true);
-        body.computeFluxes(energiesOn_, 0, nullptr);
-        body.finishRates(time, energiesOn_, 0, nullptr);
+        body.computeFluxes(energiesOn_);
+        body.finishRates(time, energiesOn_);
     }
 
     // Contact is solved for the last step; of a first one, for what it will be
@@ -273,12 +249,11 @@ Foam::scalar Foam::solidSystem::stableStep()
 void Foam::solidSystem::account(const int stage)
 {
     const scalar dt = integrator_.weight(stage)*runTime_.deltaTValue();
-    forAll(bodies_, i)
+    if (energiesOn_)
     {
-        const solidBody::powers& p = bodies_[i].stagePowers();
-        dissipated_[i] += dt*p.numericalDissipation;
-        if (energiesOn_)
+        forAll(bodies_, i)
         {
+            const solidBody::powers& p = bodies_[i].stagePowers();
             accounts_[i].numericalDissipation += dt*p.numericalDissipation;
             accounts_[i].external += dt*p.external;
             accounts_[i].contact += dt*p.contact;
@@ -537,8 +512,6 @@ void Foam::solidSystem::stopStep
     {
         bodies_[i].restoreOld();
         accounts_[i] = oldAccounts_[i];
-        dissipated_[i] = oldDissipated_[i];
-        bodies_[i].setReserve(oldReserves_[i]);
         bodies_[i].contact().status = oldStatus_[i];
     }
     forAll(interfaces_, i)
@@ -805,10 +778,6 @@ Foam::solidSystem::solidSystem(Time& runTime)
     oldStatus_.setSize(bodies_.size());
     oldImpulses_.setSize(interfaces_.size());
     initialEnergy_.setSize(bodies_.size(), scalar(0));
-    sums_.setSize(bodies_.size()*nSums, scalar(0));
-    dissipated_.setSize(bodies_.size(), scalar(0));
-    oldReserves_.setSize(bodies_.size());
-    startReserves();
     readAccounts(record);
     const scalar lastStep = record.getOrDefault<scalar>("lastStep", 0);
     for (solidBody& body : bodies_)
@@ -952,11 +921,9 @@ void Foam::solidSystem::startStep()
     // What a step that goes wrong has to put back
     startOfStep_ = runTime_.value();
     oldAccounts_ = accounts_;
-    oldDissipated_ = dissipated_;
     forAll(bodies_, i)
     {
         oldStatus_[i] = bodies_[i].contact().status;
-        oldReserves_[i] = bodies_[i].reserve();
         if (maxEnergyRise_ > 0 || integrator_.leapfrog())
         {
             bodies_[i].keepPlasticity();

@@ -227,24 +227,6 @@ Foam::dictionary Foam::solidSystem::readRecord()
 }
 
 
-void Foam::solidSystem::startReserves()
-{
-    scalar energy = 0, mass = 0;
-    scalarList masses(bodies_.size());
-    forAll(bodies_, i)
-    {
-        energy += bodies_[i].kineticEnergy() + bodies_[i].strainEnergy();
-        masses[i] = returnReduce(bodies_[i].mass(), sumOp<scalar>());
-        mass += masses[i];
-    }
-    reduce(energy, sumOp<scalar>());
-    forAll(bodies_, i)
-    {
-        bodies_[i].setReserve(dissipationReserve(energy*masses[i]/mass));
-    }
-}
-
-
 void Foam::solidSystem::readAccounts(const dictionary& dict)
 {
     // Accounts that were not kept cannot be continued
@@ -261,20 +243,6 @@ void Foam::solidSystem::readAccounts(const dictionary& dict)
             }
             const dictionary& body = dict.subDict(key);
             initialEnergy_[i] = body.get<scalar>("initialEnergy");
-            if (bodies_[i].keepsReserve() && body.found("reserve"))
-            {
-                bodies_[i].setReserve
-                (
-                    dissipationReserve
-                    (
-                        body.get<FixedList<scalar, 5>>("reserve")
-                    )
-                );
-                if (Pstream::master())
-                {
-                    dissipated_[i] = body.get<scalar>("dissipated");
-                }
-            }
             if (Pstream::master())
             {
                 accounts_[i].numericalDissipation =
@@ -569,14 +537,8 @@ bool Foam::solidSystem::writeData(Ostream& os) const
             << "    plasticDissipation " << total(accounts_[i].plastic)
             << ';' << nl
             << "    externalWork " << total(accounts_[i].external) << ';' << nl
-            << "    contactWork " << total(accounts_[i].contact) << ';' << nl;
-        if (bodies_[i].keepsReserve())
-        {
-            text<< "    reserve " << bodies_[i].reserve().values() << ';' << nl
-                << "    dissipated "
-                << returnReduce(dissipated_[i], sumOp<scalar>()) << ';' << nl;
-        }
-        text<< '}' << nl;
+            << "    contactWork " << total(accounts_[i].contact) << ';' << nl
+            << '}' << nl;
     }
     for (const contactInterface& contact : interfaces_)
     {

@@ -4,12 +4,11 @@ of today are runs of their own (named)."""
 
 # Of vertexCentred in fvSchemes, of controlDict and of contactProperties
 SCHEME = ("cells", "reconstruction", "limiter", "kinematics", "jacobian",
-          "preserveAngularMomentum", "waveSpeed", "dissipation")
+          "waveSpeed", "dissipation")
 CONTROL = ("maxCo", "timeIntegrator")
 CONTACT = ("pairing", "updateDistance", "transfer")
 
-COMMON = {"jacobian": "volumetric", "preserveAngularMomentum": "yes",
-          "waveSpeed": "linear"}
+COMMON = {"jacobian": "volumetric", "waveSpeed": "linear"}
 PRESETS = {
     "fast": {"cells": "simplicial", "reconstruction": "linear",
              "limiter": "BarthJespersen", "kinematics": "FJ",
@@ -34,7 +33,6 @@ SINGLE = {
     "limiter": ("Venkatakrishnan", "none"),
     "kinematics": ("FJ", "F"),
     "jacobian": ("literal",),
-    "preserveAngularMomentum": ("no",),
     "waveSpeed": ("stretched",),
     "dissipation": ("0.25", "0.5", "0.75"),
     "maxCo": ("0.1", "0.3", "0.45", "0.8", "0.9", "1.2", "1.5", "1.8",
@@ -98,9 +96,9 @@ def onlyThatMatter(chosen):
     chosen = dict(chosen)
     if chosen["material"] == "linearElastic":
         chosen |= {"kinematics": "F", "jacobian": "volumetric",
-                   "preserveAngularMomentum": "yes", "waveSpeed": "linear"}
+                   "waveSpeed": "linear"}
     if chosen["dimension"] == "1":
-        chosen |= {"cells": "simplicial", "preserveAngularMomentum": "yes"}
+        chosen["cells"] = "simplicial"
     if chosen["reconstruction"] == "none":
         chosen["limiter"] = "none"
     if chosen["pairing"] != "nearestFace":

@@ -109,7 +109,7 @@ def mach(folder, cells, waveSpeed, speed, maxCo=None):
                else 0.2, 1)
         # The half cells at the ends meet first: a third of a cell at Mach 1
         yield ("penetration", case.contact("leftright")["penetration"].max()
-               * counts[0], 0, 0.05 + 0.35*speed)
+               * counts[0], 0, 0.06 + 0.36*speed)
         yield from apart(case, "leftright")
     return outcome(case, check)
 
@@ -325,4 +325,4 @@ def units(folder, pairing, units, maxCo=None):
         yield ("impulse", abs(case.contact("leftright")["left.right:Ix"][-1])
                / (7800*0.1*100*0.1*UNITS[units][1]**-1
                   / UNITS[units][0]), 0.1, 2)
-    return outcome(case, check)
+    return outcome(case, check, riseLimit=0.02)

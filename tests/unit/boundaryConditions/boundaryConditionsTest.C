@@ -113,6 +113,14 @@ struct solved
 };
 
 
+//- Normal velocity (47) of a surface of impedance 3 under its traction
+vector released(const cornerStates& c, const label i)
+{
+    const scalar z = 3*max(c.stretch[i], scalar(1));
+    return c.v[i] + (((c.tB[i] - c.t[i]) & c.n[i])/z)*c.n[i];
+}
+
+
 //- The same fluxes at two times
 void checkSame(const patchField& a, const patchField& b)
 {
@@ -124,7 +132,6 @@ void checkSame(const patchField& a, const patchField& b)
         const solved A(a, time), B(b, time);
         CHECK(A.c.tB == B.c.tB);
         CHECK(A.c.vB == B.c.vB);
-        CHECK(A.c.released == B.c.released);
     }
 }
 
@@ -159,7 +166,7 @@ const char* const inputs[] =
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
-TEST_CASE("free and contact surfaces (44)", "[boundaryConditions][serial]")
+TEST_CASE("free and contact surfaces (44), (47)", "[boundaryConditions][serial]")
 {
     const patchOfBlock block;
     for (const char* type : {"tractionFree", "contact"})
@@ -175,8 +182,7 @@ TEST_CASE("free and contact surfaces (44)", "[boundaryConditions][serial]")
         for (label i = 0; i < s.c.size(); ++i)
         {
             CHECK(s.c.tB[i] == vector::zero);
-            CHECK(s.c.vB[i] == s.c.v[i]);
-            CHECK(s.c.released[i]);
+            CHECK(mag(s.c.vB[i] - released(s.c, i)) <= 1e-14);
         }
     }
 }
@@ -197,8 +203,7 @@ TEST_CASE("prescribed traction", "[boundaryConditions][serial]")
         for (label i = 0; i < s.c.size(); ++i)
         {
             CHECK(mag(s.c.tB[i] - time*vector(1, 2, 3)) <= 1e-14);
-            CHECK(s.c.vB[i] == s.c.v[i]);
-            CHECK(s.c.released[i]);
+            CHECK(mag(s.c.vB[i] - released(s.c, i)) <= 1e-14);
         }
     }
 }
@@ -217,8 +222,7 @@ TEST_CASE("pressure follows the surface", "[boundaryConditions][serial]")
     for (label i = 0; i < s.c.size(); ++i)
     {
         CHECK(mag(s.c.tB[i] + 2*s.c.stretch[i]*s.c.n[i]) <= 1e-14);
-        CHECK(s.c.vB[i] == s.c.v[i]);
-        CHECK(s.c.released[i]);
+        CHECK(mag(s.c.vB[i] - released(s.c, i)) <= 1e-14);
     }
 }
 
@@ -251,7 +255,6 @@ TEST_CASE("prescribed velocity (39)", "[boundaryConditions][serial]")
                 ) <= 1e-14
             );
             CHECK(mag(s.c.vB[i] - wall) <= 1e-15);
-            CHECK_FALSE(s.c.released[i]);
         }
     }
 }

@@ -73,7 +73,6 @@ public:
             };
             c.tB[i] = acousticRiemann::rigidTraction(body, vWall, c.n[i]);
             c.vB[i] = vWall;
-            c.released[i] = false;
         }
     }
 };

@@ -63,9 +63,7 @@ public:
         const scalar p = pressure_(time);
         for (label i = 0; i < c.size(); ++i)
         {
-            c.tB[i] = (-p*c.stretch[i])*c.n[i];
-            c.vB[i] = c.v[i];
-            c.released[i] = true;
+            c.setTraction(i, (-p*c.stretch[i])*c.n[i]);
         }
     }
 };

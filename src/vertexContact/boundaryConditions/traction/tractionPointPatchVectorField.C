@@ -63,9 +63,7 @@ public:
         const vector t = traction_(time);
         for (label i = 0; i < c.size(); ++i)
         {
-            c.tB[i] = t;
-            c.vB[i] = c.v[i];
-            c.released[i] = true;
+            c.setTraction(i, t);
         }
     }
 };

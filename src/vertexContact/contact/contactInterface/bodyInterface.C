@@ -358,8 +358,6 @@ void Foam::bodyInterface::solve(const scalar, const bool firstStage)
 
     // The Riemann problem of each overlap, per current area
     const List<contactOverlap>& overlaps = pairing_->overlaps();
-    const scalar waveSpeed =
-        min(minus_.body->material().cp(), plus_.body->material().cp());
 
     forAll(problems_, o)
     {
@@ -407,7 +405,7 @@ void Foam::bodyInterface::solve(const scalar, const bool firstStage)
             over.minus(M.n), vector(m[6], m[7], m[8]), p.n
         );
         p.gap = (vector(m[9], m[10], m[11]) - x) & p.n;
-        setTouching(p, opposed, closed_[o], over.depth, waveSpeed);
+        setTouching(p, opposed, closed_[o], over.depth);
         if (closed_[o] && opposed && p.gap < -lostDepth*over.depth)
         {
             lose(minus_, over.minus.corner[0], -p.gap, over.depth);
@@ -415,19 +413,6 @@ void Foam::bodyInterface::solve(const scalar, const bool firstStage)
     }
 
     solveProblems();
-    if (!law().bonded())
-    {
-        for (contactLaw::problem& p : problems_)
-        {
-            if (p.result.state != acousticRiemann::status::open)
-            {
-                acousticRiemann::boundCommonVelocity
-                (
-                    p.result, p.minus, p.plus, p.n
-                );
-            }
-        }
-    }
 
     // Forces and velocities to both sides
     answers_.setSize(pairing_->nSlots());

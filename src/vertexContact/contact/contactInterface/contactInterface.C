@@ -84,6 +84,10 @@ Foam::contactInterface::answerMessage Foam::contactInterface::answer
         {
             change = (change & p.n)*p.n;
         }
+
+        // Instead of the velocity of an open one (47)
+        change += ((p.minus.t & p.n)/p.minus.zp)*p.n;
+
         for (direction i = 0; i < 3; ++i)
         {
             a[i] = force*p.result.t[i];
@@ -104,7 +108,8 @@ Foam::contactInterface::answerMessage Foam::contactInterface::plusAnswer
 )
 {
     contactLaw::problem seen(p);
-    seen.minus.v = p.plus.v;
+    seen.minus = p.plus;
+    seen.minus.t = -p.plus.t;
     seen.result.vMinus = p.result.vPlus;
     seen.result.t = -p.result.t;
     return answer(seen, force, area);
@@ -126,35 +131,12 @@ void Foam::contactInterface::setTouching
     contactLaw::problem& p,
     const bool opposed,
     const bool closed,
-    const scalar depth,
-    const scalar waveSpeed
+    const scalar depth
 ) const
 {
-    const bool bonded = law_->bonded();
     p.touching =
-        bonded
+        law_->bonded()
      || (opposed && p.gap <= (closed ? openingGap : closingGap)*depth);
-
-    p.closing = 0;
-    if (p.touching && !bonded && p.gap < 0)
-    {
-        using namespace acousticRiemann;
-
-        // Strain of the boundary cells under the pressure that there is, sum
-        // of both sides
-        const scalar pressure = -stickTraction
-        (
-            p.minus.zp, normal(p.minus.v, p.n), normal(p.minus.t, p.n),
-            p.plus.zp, normal(p.plus.v, p.n), normal(p.plus.t, p.n)
-        );
-        const scalar perZ = 1/p.minus.zp + 1/p.plus.zp;
-        const scalar strain = max(pressure, scalar(0))*perZ/waveSpeed;
-
-        // Relative penetration less the shift of the cells' means
-        const scalar beyond = -p.gap/depth - 0.25*strain;
-        p.closing =
-            closingRate*waveSpeed*min(max(beyond, scalar(0)), scalar(0.1));
-    }
 }
 
 
@@ -195,28 +177,6 @@ void Foam::contactInterface::countClosing
         (
             statistics_.closing, ((p.minus.v - p.plus.v) & p.n)/depth
         );
-    }
-}
-
-
-void Foam::contactInterface::solveProblems()
-{
-    // Relative velocities with the closing speed, which leaves the common
-    // velocity (30a) as it is; and afterwards those of the surfaces again
-    const auto approach = [](contactLaw::problem& p, const scalar speed)
-    {
-        const scalar perZ = speed/(p.minus.zp + p.plus.zp);
-        p.minus.v += (perZ*p.plus.zp)*p.n;
-        p.plus.v -= (perZ*p.minus.zp)*p.n;
-    };
-    for (contactLaw::problem& p : problems_)
-    {
-        if (p.closing > 0) approach(p, p.closing);
-    }
-    law_->solve(problems_);
-    for (contactLaw::problem& p : problems_)
-    {
-        if (p.closing > 0) approach(p, -p.closing);
     }
 }
 
@@ -278,7 +238,6 @@ void Foam::contactInterface::setState
     out.gap[node] = min(out.gap[node], answer[7]);
     if (answer[8] > 0)
     {
-        c.released[corner] = false;
         out.force[node] += vector(answer[0], answer[1], answer[2]);
         out.area[node] += answer[6];
         if (newStatus)

@@ -312,7 +312,6 @@ void Foam::obstacleInterface::solve(const scalar time, const bool firstStage)
 
     cornerStates& M = side_.body->corners(side_.patchi);
     const scalarField& depth = side_.body->depth(side_.patchi);
-    const scalar waveSpeed = side_.body->material().cp();
     motion_.setTime(time);
     const septernion& pose = motion_.pose();
 
@@ -347,11 +346,8 @@ void Foam::obstacleInterface::solve(const scalar time, const bool firstStage)
         p.n = -pose.r().transform(planes_[i].n);
         p.gap = (X - planes_[i].x) & planes_[i].n;
 
-        // As its mirror image would: half of the gap, half of the approach
-        setTouching
-        (
-            p, (M.n[k] & p.n) > 0.1, closed_[i], 0.5*depth[k], 0.5*waveSpeed
-        );
+        // As its mirror image would: half of the gap
+        setTouching(p, (M.n[k] & p.n) > 0.1, closed_[i], 0.5*depth[k]);
         if (closed_[i] && p.gap < -depth[k])
         {
             lose(side_, k, -p.gap, depth[k]);
