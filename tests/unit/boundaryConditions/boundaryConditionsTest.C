@@ -166,7 +166,8 @@ const char* const inputs[] =
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
-TEST_CASE("free and contact surfaces (44), (47)", "[boundaryConditions][serial]")
+TEST_CASE("free and contact surfaces (44), (47)",
+    "[boundaryConditions][serial]")
 {
     const patchOfBlock block;
     for (const char* type : {"tractionFree", "contact"})
