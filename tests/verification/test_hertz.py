@@ -43,21 +43,25 @@ def rebound(case):
 def checkImpact(f, scene, run, peak, time, back):
     """Tolerances of peak force and duration, least speed away / towards."""
     case = run(scene)
-    contact, total = case.contact("contact"), case.ownEnergy
+    contact, total = case.contact("contact"), case.totalEnergy
     spheres = scene in (COARSE_SPHERES, SPHERES)
-    # Corners of spheres touch in their centroids, behind the poles
+    # Corners of spheres touch in their centroids, behind the poles; surfaces
+    # are slowed down a cell's time before they touch
     f.within("first contact [ms]",
              1e3*contact["Time"][contact["area"] > 0][0],
-             1e3*hertzSolution.FIRST_CONTACT, 0.03 if spheres else 5e-3)
-    f.within("peak force / Hertz", force(case).max()/hertzSolution.FORCE, 1,
+             1e3*hertzSolution.FIRST_CONTACT, 0.03 if spheres else 0.01)
+    # By an estimate of what is finite 1.04 (page of the tutorial)
+    f.within("peak force / Hertz", force(case).max()/hertzSolution.FORCE, 1.04,
              peak)
     f.within("duration / Hertz", duration(case)/hertzSolution.DURATION, 1,
              time)
     f.atLeast("speed away / towards", rebound(case), back)
-    f.atMost("largest rise of the energy less works / initial", rise(total),
-             1e-3)
+    # Of surfaces whose meshes do not match contact gives a little back
+    f.atMost("largest rise of the total energy / initial", rise(total), 5e-3)
+    f.atMost("largest rise of the energy less works / initial",
+             rise(case.ownEnergy), 1e-4)
     f.atMost("largest penetration / face",
-             contact["relativePenetration"].max(), 0.08)
+             contact["relativePenetration"].max(), 0.05)
     f.atMost("residual of the energy balance / initial",
              np.abs(case.energies["total:balance"]).max()/total[0], 5e-4)
 
@@ -80,7 +84,7 @@ def checkSpheres(f, plane, spheres):
                          ids=("plane", "spheres"))
 def test_coarse(run, figures, scene):
     with figures(f"Hertz, 3 elements, {dict(scene.options) or 'plane'}") as f:
-        checkImpact(f, scene, run, 0.05, 0.1, 0.75)
+        checkImpact(f, scene, run, 0.04, 0.1, 0.75)
 
 
 @scenes(COARSE_PLANE, COARSE_SPHERES)
@@ -96,7 +100,7 @@ def test_spheres_as_plane(run, figures):
 def test_full(run, figures):
     with figures("Hertz, Mesh I") as f:
         for scene in PLANE, SPHERES:
-            checkImpact(f, scene, run, 0.06, 0.08, 0.9)
+            checkImpact(f, scene, run, 0.04, 0.08, 0.9)
         checkSpheres(f, run(PLANE), run(SPHERES))
         f.falling("1 - speed away / towards, plane, 3 and 6 elements",
                   [1 - rebound(run(scene)) for scene in (COARSE_PLANE, PLANE)])
