@@ -44,9 +44,10 @@ def test_parallel_is_serial(run, figures, scene, ranks):
             t, u = serial.probe(f"point{name}", "pointU")
             t1, u1 = parallel.probe(f"point{name}", "pointU")
             assert len(t) == len(t1)
+            # Written with ten digits, of which the last one may differ
             f.atMost(f"v at {name}: difference to serial / scale",
                      max(difference(t, t1, 0.1), difference(u, u1, 0.1)),
-                     1e-10)
+                     3e-10)
         for key in "kinetic", "strain", "numericalDissipation":
             f.atMost(f"{key} energy: difference to serial / initial energy",
                      difference(serial.energies[f"total:{key}"],
