@@ -49,7 +49,6 @@ SCENES = {
 
 # Beyond the paper's scheme
 OF_DEFAULT = {
-    "nu 0": (collision, {"nu": 0}),
     **{f"Mach {speed}, {cells}": (mach, {
         "cells": cells, "waveSpeed": "linear", "speed": speed})
         for cells, speed in (("40", 1), ("20x4", 0.5))},

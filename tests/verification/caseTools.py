@@ -120,8 +120,8 @@ class Case:
 
     @property
     def ownEnergy(self):
-        """Total energy less the works. Of the default scheme this may only
-        fall: contact stores energy, and gives it back by its work."""
+        """Total energy less the works of loads and of contact: only what is
+        dissipated inside the bodies changes it."""
         return (self.totalEnergy - self.energies["total:externalWork"]
                 - self.energies["total:contactWork"])
 

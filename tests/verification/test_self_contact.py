@@ -63,7 +63,7 @@ def test_contact(run, figures, scene):
         f.atMost("largest rise of the energy less works / initial",
                  rise(case.ownEnergy), 1e-4)
         f.atMost("largest penetration / face",
-                 contact["relativePenetration"].max(), 0.08)
+                 contact["relativePenetration"].max(), 0.05)
         f.atMost("residual of the energy balance / initial",
                  np.abs(case.energies["total:balance"]).max()/total[0], 4e-3)
         if scene != HALF:

@@ -57,10 +57,7 @@ def message(log):
 
 def ownEnergy(case):
     """Energy of all bodies less the work of loads from outside: what bodies
-    do to each other may only lower it. Of the default scheme less the work of
-    contact, which stores energy and gives it back."""
-    if preset != PRESET:
-        return case.ownEnergy
+    do to each other may only lower it."""
     return case.totalEnergy - case.energies["total:externalWork"]
 
 
