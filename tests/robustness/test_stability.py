@@ -1,25 +1,33 @@
 """What the stability map (stability.md) says: a part of its scenes, in a
-minute; those beyond the paper's scheme with the default one. Bodies that rest
-or turn for long are in tests/verification/test_variational.py."""
+minute, with the default scheme; impacts of the paper with that of the paper.
+Bodies that rest or turn for long are in tests/verification/test_variational.py,
+too."""
 
 import pytest
 
-from stability import judge
-from stability.free import aspect, sliver, vibration
-from stability.impacts import (collision, cradle, faces, gap, impedance, mach,
-                               pressed, single, units)
+from stability.free import aspect, release, sliver, spin, step, vibration
+from stability.impacts import (PAPER, collision, cradle, faces, gap, impedance,
+                               mach, paper, pressed, single, units)
 from stability.judge import STABLE
-from stability.resting import friction
-
-from caseTools import DEFAULT
+from stability.resting import friction, settling
 
 SCENES = {
-    **{f"nu {nu}": (collision, {"nu": nu}) for nu in (0.4, 0.4999)},
+    **{f"nu {nu}": (collision, {"nu": nu}) for nu in (0.3, 0.4999)},
     **{f"nu 0.4999, {preset}": (collision, {"nu": 0.4999, "preset": preset})
        for preset in ("fast", "accurate")},
-    **{f"Mach {speed}, {cells}": (mach, {
-        "cells": cells, "waveSpeed": "linear", "speed": speed})
-        for cells, speed in (("40", 0.001), ("20x4", 0.001))},
+    "nu 0.3, stable step": (collision, {"nu": 0.3, "maxCo": 1}),
+    **{f"step {maxCo}, {cells}, {stretch}": (step, {
+        "dimensions": 3, "nu": 0.4999, "maxCo": maxCo, "stretch": stretch,
+        "scheme": {"cells": cells}})
+        for maxCo, cells, stretch in ((1.2, "simplicial", 1),
+                                      (1, "simplicialSingle", 0.6),
+                                      (1, "native", 1.6))},
+    **{f"release, nu {nu}": (release, {
+        "dimensions": 2, "cells": "simplicial", "nu": nu, "stretch": 0.6})
+        for nu in (0.3, 0.499)},
+    **{f"Mach {speed}, {cells}": (mach, {"cells": cells, "speed": speed})
+       for cells, speed in (("40", 0.001), ("40", 1.2), ("20x4", 0.001),
+                            ("20x4", 1))},
     **{f"impedance 1e6 by {by}, {d}D": (impedance, {
         "dimensions": d, "by": by, "ratio": 1e6})
         for d, by in ((1, "both"), (1, "rho"), (1, "E"), (2, "both"))},
@@ -31,7 +39,7 @@ SCENES = {
         for d in (2, 3) for pairing in ("AMI", "nearestFace")},
     **{f"gap of {cell} cells, {pairing}": (gap, {
         "dimensions": 2, "pairing": pairing, "cell": cell})
-        for cell, pairing in ((-0.05, "matching"), (-0.05, "nearestFace"),
+        for cell, pairing in ((-0.01, "matching"), (-0.01, "nearestFace"),
                               (0, "AMI"), (10, "AMI"), (10, "nearestFace"))},
     **{f"dihedral angle 0.5 degrees, {kind}": (sliver, {
         "kind": kind, "angle": 0.5}) for kind in ("layer", "node")},
@@ -40,19 +48,17 @@ SCENES = {
     **{f"units {name}, {pairing}": (units, {"pairing": pairing, "units": name})
        for name, pairing in (("Pa mm", "nearestFace"), ("GPa km", "AMI"))},
     **{f"one cell, {d}D": (single, {"dimensions": d, "pairing": "matching"})
-       for d in (2, 3)},
+       for d in (1, 2, 3)},
     "ten bodies in a row": (cradle, {"dimensions": 1, "gap": 0}),
-    "vibration": (vibration, {
-        "cells": "4x4", "reconstruction": "full", "timeIntegrator": "TVDRK2",
-        "steps": 20000})}
-
-
-# Beyond the paper's scheme
-OF_DEFAULT = {
-    **{f"Mach {speed}, {cells}": (mach, {
-        "cells": cells, "waveSpeed": "linear", "speed": speed})
-        for cells, speed in (("40", 1), ("20x4", 0.5))},
-    "friction 10": (friction, {"on": "plane", "coefficient": 10})}
+    "friction 10": (friction, {"on": "plane", "coefficient": 10}),
+    "rest on a plane": (settling, {
+        "on": "plane", "friction": 0.5, "cells": "2x2", "ratio": 1,
+        "weight": 0.05, "steps": 100000}),
+    "rest on a body": (settling, {
+        "on": "body", "friction": 0.5, "cells": "2x2", "ratio": 2,
+        "weight": 0.05, "steps": 100000}),
+    "spin": (spin, {"cells": "3x3", "steps": 20000}),
+    "vibration": (vibration, {"cells": "3x3", "steps": 100000})}
 
 
 def check(folder, figures, name, scene, parameters):
@@ -67,11 +73,20 @@ def check(folder, figures, name, scene, parameters):
 
 
 @pytest.mark.parametrize("name", SCENES)
-def test_paper(tmp_path, figures, name):
+def test_default(tmp_path, figures, name):
     check(tmp_path/"case", figures, name, *SCENES[name])
 
 
-@pytest.mark.parametrize("name", OF_DEFAULT)
-def test_default(tmp_path, figures, monkeypatch, name):
-    monkeypatch.setattr(judge, "preset", DEFAULT)
-    check(tmp_path/"case", figures, f"{name}, default", *OF_DEFAULT[name])
+@pytest.mark.xfail(strict=True, reason="a step that follows the deformation "
+                   "pushes vibrations of which nothing is dissipated")
+def test_two_cells(tmp_path, figures):
+    check(tmp_path/"case", figures, "vibration of 2 x 2 cells", vibration,
+          {"cells": "2x2", "steps": 20000})
+
+
+@pytest.mark.parametrize("reconstruction", ("full", "linear"))
+@pytest.mark.parametrize("name", [name for name in PAPER
+                                  if name.startswith(("bars", "faces"))])
+def test_paper(tmp_path, figures, name, reconstruction):
+    check(tmp_path/"case", figures, f"{name}, paper, {reconstruction}", paper,
+          {"scene": name, "reconstruction": reconstruction})

@@ -2,23 +2,19 @@
 
 from itertools import product
 
+from caseTools import PRESET
+
 from . import free, impacts, resting
 
 SCAN = [round(0.1*i, 1) for i in range(1, 13)]
 PRESETS = "fast", "balanced", "accurate"
-RECONSTRUCTIONS = "none", "linear", "full"
-INTEGRATORS = {"TVDRK2": RECONSTRUCTIONS, "TVDRK3": RECONSTRUCTIONS,
-               "symplecticEuler": ("none", "linear")}
+CELLS = "simplicial", "simplicialSingle", "native"
+RECONSTRUCTIONS = "full", "linear", "none"
 
 
 def cells(**lists):
     """All combinations, as dictionaries."""
     return [dict(zip(lists, values)) for values in product(*lists.values())]
-
-
-def integrators():
-    return [(name, reconstruction) for name, all in INTEGRATORS.items()
-            for reconstruction in all]
 
 
 def presets():
@@ -27,16 +23,25 @@ def presets():
 
 
 def steps():
-    return [{"reconstruction": reconstruction, "timeIntegrator": name, **more}
-            for name, reconstruction in integrators()
+    """In one dimension all cells are the same."""
+    share = 0.9, 1, 1.05, 1.1, 1.2, 1.3, 1.4, 1.5, 1.6, 1.8, 2
+    scan = cells(nu=(0.3, 0.4999), stretch=(1, 0.6, 1.6), maxCo=share)
+    return [{"dimensions": d, "scheme": {"cells": kind, "correction": c},
+             **more}
+            for d in (1, 2, 3) for kind in (CELLS if d > 1 else CELLS[:1])
+            for c in (1/3, 0) for more in scan]
+
+
+def paperSteps():
+    return [{"scheme": {"reconstruction": r}, "preset": PRESET, **more}
+            for r in RECONSTRUCTIONS[:2]
             for more in cells(dimensions=(1, 2, 3), nu=(0.3, 0.4999), maxCo=[
-                round(0.2*i, 1) for i in range(1, 21)])]
+                round(0.2 + 0.4*i, 1) for i in range(1, 10)])]
 
 
 def bars():
-    speeds = 0.001, 0.01, 0.1, 0.3, 0.5, 0.7, 0.8, 0.9, 1
-    return cells(cells=("40", "20x4", "40x8"),
-                 waveSpeed=("linear", "stretched"), speed=speeds)
+    return cells(cells=("40", "20x4", "40x8"), speed=(
+        0.001, 0.01, 0.1, 0.3, 0.5, 0.7, 0.8, 0.9, 1, 1.2))
 
 
 def impedances():
@@ -62,40 +67,65 @@ def aspects():
 
 
 def vibrations():
-    """A million steps of few cells, 300000 of a body in three dimensions,
-    100000 with each of the integrators."""
-    rows = [(mesh, reconstruction, "TVDRK2", 10**6) for mesh, reconstruction in
-            (("1x1x2", "full"), ("3x3", "full"), ("3x3", "linear"))]
-    rows += [("3x3x3", reconstruction, "TVDRK2", 3*10**5)
-             for reconstruction in ("linear", "full")]
-    rows += [(mesh, reconstruction, name, 10**5)
-             for name, reconstruction in integrators()
-             for mesh in ("2", "4", "2x2", "4x4")]
-    return [dict(zip(("cells", "reconstruction", "timeIntegrator", "steps"),
-                     row)) for row in rows]
+    """A million steps of few cells; fewer of those that cost more, and of
+    those with two cells across, which need no more to gain energy."""
+    rows = [(mesh, 0.3, preset, 10**5) for preset in PRESETS
+            for mesh in ("1", "2", "1x2", "2x2")]
+    rows += [(mesh, 0.3, "balanced", 10**5) for mesh in ("1x1x1", "2x2x2")]
+    rows += [(mesh, 0.3, "balanced", 10**6)
+             for mesh in ("3", "4", "1x8", "2x3", "3x3", "4x4")]
+    rows += [(mesh, 0.3, "fast", 10**6) for mesh in ("4", "3x3")]
+    rows += [("4x4", 0.4999, "balanced", 10**5)]
+    rows += [(mesh, 0.3, preset, 10**5) for preset in PRESETS[:2]
+             for mesh in ("2x2x4", "3x3x3")]
+    rows += [("3x3x3", 0.4999, "balanced", 3*10**4)]
+    return [dict(zip(("cells", "nu", "preset", "steps"), row)) for row in rows]
+
+
+def spins():
+    rows = [("3x3", preset, 10**6) for preset in PRESETS[:2]]
+    rows += [("6x6", "balanced", 3*10**5), ("3x3x3", "balanced", 3*10**5),
+             ("3x3x3", "fast", 10**5), ("5x5x5", "balanced", 3*10**4)]
+    return [dict(zip(("cells", "preset", "steps"), row)) for row in rows]
 
 
 def rests():
-    rows = [("clamp", 0, "4x4", 0.05, 2), ("clamp", 0, "2x2x2", 0.05, 2),
-            ("plane", 0, "4x4", 0.05, 2), ("plane", 0, "2x2x2", 0.05, 2),
-            ("plane", 0.5, "4x4", 0.05, 2)]
-    rows += [("body", k, "4x4", weight, 2) for k in (0, 0.5)
-             for weight in (0.05, 0.005, 0.0005)]
-    rows += [("body", 0.5, "4x4", weight, ratio) for ratio in (3, 4)
-             for weight in (0.05, 0.005)]
-    rows += [("body", 0.5, mesh, weight, 2) for mesh in ("2x2x2", "3x3x3")
-             for weight in (0.05, 0.005, 0.0005)]
-    rows += [("tied", 0, "4x4", weight, ratio) for ratio in (2, 3)
-             for weight in (0.05, 0.005)]
-    return [{"on": on, "friction": k, "cells": mesh, "steps": 10**5,
-             "weight": weight, "ratio": ratio}
-            for on, k, mesh, weight, ratio in rows]
+    """A million steps of three; of the others what it takes, or less in three
+    dimensions."""
+    million = [("plane", 0.5, "2x2", 1, 0.05), ("body", 0.5, "4x4", 2, 0.05),
+               ("tied", 0, "4x4", 3, 0.05)]
+    million += [("plane", k, "4x4", 1, weight) for k in (0, 0.5)
+                for weight in (0.05, 0.005)]
+    some = [("body", 0.5, "4x4", ratio, 0.05) for ratio in (1, 1.5, 3, 4)]
+    some += [("body", 0.5, "4x4", ratio, 0.005) for ratio in (1, 2, 4)]
+    some += [("tied", 0, "4x4", ratio, 0.05) for ratio in (1, 2)]
+    some += [("tied", 0, "4x4", ratio, 0.005) for ratio in (1, 3)]
+    some += [("body", 0, "4x4", ratio, 0.005) for ratio in (1, 2, 4)]
+    more = [("tied", 0, "4x4", 4, weight) for weight in (0.05, 0.005)]
+    before = [("body", 0, "4x4", ratio, 0.05) for ratio in (1, 2, 4)]
+    flat = [("plane", k, "2x2x2", 1, weight) for k in (0, 0.5)
+            for weight in (0.05, 0.005)]
+    flat += [("body", 0.5, "2x2x2", 1, 0.005)]
+    turns = [("body", 0.5, "2x2x2", ratio, 0.05) for ratio in (1, 2)]
+    fine = [("tied", 0, "2x2x2", 2, weight) for weight in (0.05, 0.005)]
+    fine += [("body", 0.5, "2x2x2", 2, 0.005)]
+    finest = [(on, k, "2x2x2", 4, 0.05) for on, k in (("body", 0.5),
+                                                      ("tied", 0))]
+    lengths = ((million, 10**6), (some, 2*10**5), (more, 4*10**5),
+               (before, 2*10**4), (flat, 10**5),
+               (turns, 2*10**5), (fine, 5*10**4), (finest, 6*10**4))
+    return [dict(zip(("on", "friction", "cells", "ratio", "weight", "steps"),
+                     (*row, steps))) for rows, steps in lengths
+            for row in rows]
 
 
 # Name: scene, its cells
 GROUPS = {
     "presets": (impacts.collision, presets),
     "step": (free.step, steps),
+    "release": (free.release, lambda: cells(
+        dimensions=(2, 3), cells=CELLS, preset=PRESETS[:2],
+        stretch=(0.6, 1.6), nu=(0.3, 0.45, 0.49, 0.499, 0.4999))),
     "mach": (impacts.mach, bars),
     "impedance": (impacts.impedance, impedances),
     "faces": (impacts.faces, faces),
@@ -113,10 +143,11 @@ GROUPS = {
     "friction": (resting.friction, lambda: cells(
         on=("plane", "body"), coefficient=(0, 0.1, 0.3, 1, 3, 10))),
     "settling": (resting.settling, rests),
-    "spin": (free.spin, lambda: cells(
-        cells=("3x3", "6x6", "3x3x3", "5x5x5"),
-        reconstruction=RECONSTRUCTIONS, revolutions=(20,))),
+    "spin": (free.spin, spins),
     "vibration": (free.vibration, vibrations),
+    "paper": (impacts.paper, lambda: cells(
+        scene=tuple(impacts.PAPER), reconstruction=RECONSTRUCTIONS)),
+    "paperStep": (free.step, paperSteps),
 }
 
 

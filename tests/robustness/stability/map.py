@@ -65,7 +65,8 @@ def write(rows):
     with open(TABLE, "w", newline="") as file:
         writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
         writer.writeheader()
-        writer.writerows(sorted(rows, key=lambda r: order.index(r["group"])))
+        writer.writerows(sorted(
+            rows, key=lambda r: order.index(r["group"])))
 
 
 def main():
@@ -87,7 +88,8 @@ def main():
             futures = [pool.submit(cell, group, parameters)
                        for group in wanted for parameters in cellsOf(group)[1]]
             rows = [future.result() for future in futures]
-        write([r for r in read() if r["group"] not in wanted] + rows)
+        write([r for r in read() if r["group"] in set(GROUPS) - set(wanted)]
+              + rows)
     page.write(here, read())
 
 
