@@ -106,14 +106,16 @@ def rests():
     flat = [("plane", k, "2x2x2", 1, weight) for k in (0, 0.5)
             for weight in (0.05, 0.005)]
     flat += [("body", 0.5, "2x2x2", 1, 0.005)]
-    turns = [("body", 0.5, "2x2x2", ratio, 0.05) for ratio in (1, 2)]
+    coarse = [("body", 0.5, "2x2x2", 1, 0.05)]
+    middle = [("body", 0.5, "2x2x2", 2, 0.05)]
     fine = [("tied", 0, "2x2x2", 2, weight) for weight in (0.05, 0.005)]
     fine += [("body", 0.5, "2x2x2", 2, 0.005)]
     finest = [(on, k, "2x2x2", 4, 0.05) for on, k in (("body", 0.5),
                                                       ("tied", 0))]
     lengths = ((million, 10**6), (some, 2*10**5), (more, 4*10**5),
                (before, 2*10**4), (flat, 10**5),
-               (turns, 2*10**5), (fine, 5*10**4), (finest, 6*10**4))
+               (coarse, 4*10**5), (middle, 2*10**5), (fine, 5*10**4),
+               (finest, 6*10**4))
     return [dict(zip(("on", "friction", "cells", "ratio", "weight", "steps"),
                      (*row, steps))) for rows, steps in lengths
             for row in rows]
