@@ -102,10 +102,7 @@ void Foam::solidBody::boundFrequencies()
 
     if (x_->smoothed)
     {
-        x_->volumeImpedance = data_.rho*data_.cp*max
-        (
-            scalar(0), 1 - 5*material_->mu()/material_->kappa()
-        );
+        x_->volumeImpedance = std::sqrt(data_.rho*material_->kappa());
         findFilter();
     }
 
@@ -131,8 +128,7 @@ Foam::scalar Foam::solidBody::variationalTimeScaleOf(const label node) const
         // Of the waves of largest frequency half is in the differences
         const scalar h = std::pow(dual_.nodeVolume()[node], 1.0/dual_.nDim());
         damping +=
-            0.5*(0.06 + 0.25)*h*square*x_->volumeImpedance
-           /(data_.rho*sqr(data_.cp));
+            0.125*h*square*x_->volumeImpedance/(data_.rho*sqr(data_.cp));
     }
     return 2*(std::sqrt(sqr(damping) + square) - damping)/square;
 }
