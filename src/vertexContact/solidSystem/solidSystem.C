@@ -191,7 +191,8 @@ void Foam::solidSystem::evaluateForces(const scalar time)
         body.finishRates(time, energiesOn_);
     }
 
-    // Contact is solved for the last step; of a first one, for what it will be
+    // Contact is solved for the last step; the forces of the start act for half
+    // of what the first one will be (leap)
     const auto solve = [&](const scalar deltaT)
     {
         for (solidBody& body : bodies_)
@@ -211,7 +212,7 @@ void Foam::solidSystem::evaluateForces(const scalar time)
         {
             solve
             (
-                adjusts ? maxCo()*stableStep() : runTime_.deltaTValue()
+                0.5*(adjusts ? maxCo()*stableStep() : runTime_.deltaTValue())
             );
         }
     }
