@@ -102,10 +102,7 @@ void Foam::solidBody::boundFrequencies()
 
     if (x_->smoothed)
     {
-        x_->volumeImpedance = data_.rho*data_.cp*max
-        (
-            scalar(0), 1 - 5*material_->mu()/material_->kappa()
-        );
+        x_->volumeImpedance = std::sqrt(data_.rho*material_->kappa());
         findFilter();
     }
 
@@ -131,8 +128,7 @@ Foam::scalar Foam::solidBody::variationalTimeScaleOf(const label node) const
         // Of the waves of largest frequency half is in the differences
         const scalar h = std::pow(dual_.nodeVolume()[node], 1.0/dual_.nDim());
         damping +=
-            0.5*(0.06 + 0.25)*h*square*x_->volumeImpedance
-           /(data_.rho*sqr(data_.cp));
+            0.125*h*square*x_->volumeImpedance/(data_.rho*sqr(data_.cp));
     }
     return 2*(std::sqrt(sqr(damping) + square) - damping)/square;
 }
@@ -264,7 +260,8 @@ void Foam::solidBody::computeForces(const bool energy)
     const label sC = variationalData::columnStride(d);
     const label sA = 2*d*sC;
 
-    if (energy && x.dissipative.empty())
+    const bool rough = x.nRough > 2;
+    if ((energy || rough) && x.dissipative.empty())
     {
         x.dissipative.setSize(dual_.nNodes()*d, Zero);
     }
@@ -282,7 +279,7 @@ void Foam::solidBody::computeForces(const bool energy)
     completeTensors(x.adjoint.data(), sA, sC, 0);
     completeTensors(x.adjoint.data(), sA, sC, d*sC);
     variational_->stresses(x, data_);
-    variational_->forces(data_, x, energy);
+    variational_->forces(data_, x, energy || rough);
 
     externalForce_ = Zero;
     for (const dualPatch& patch : dual_.patches())
@@ -306,7 +303,47 @@ void Foam::solidBody::computeForces(const bool energy)
         scalar* rate = data_.rates.data() + a*data_.strideRates;
         for (label i = 0; i < d; ++i) rate[i] += externalForce_[a*d + i];
     }
-    dual_.sharing().sum(data_.rates.data(), data_.strideRates);
+    if (rough)
+    {
+        x.damping = x.dissipative;
+        dual_.sharing().sum
+        (
+            {{data_.rates.data(), data_.strideRates}, {x.damping.data(), d}}
+        );
+    }
+    else
+    {
+        dual_.sharing().sum(data_.rates.data(), data_.strideRates);
+    }
+}
+
+
+void Foam::solidBody::findAcceleration(const scalar step)
+{
+    variationalData& x = *x_;
+    if (x.acceleration.empty()) return;
+    const label d = dual_.nDim();
+
+    // What contact or a boundary holds is not moved by the dissipation
+    if (symmetry_.active()) symmetry_.project(x.damping.data(), d);
+    for (const label a : fixedNodes_)
+    {
+        for (label i = 0; i < d; ++i) x.damping[a*d + i] = 0;
+    }
+    if (hasContact_)
+    {
+        for (label a = 0; a < dual_.nNodes(); ++a)
+        {
+            if (contact_.status[a] < 0.5) continue;
+            for (label i = 0; i < d; ++i) x.damping[a*d + i] = 0;
+        }
+    }
+    const scalarField& lm = data_.state.lm;
+    forAll(x.acceleration, k)
+    {
+        x.acceleration[k] =
+            ((lm[k] - data_.old.lm[k])/step - x.damping[k])/data_.rho;
+    }
 }
 
 
@@ -500,10 +537,7 @@ void Foam::solidBody::leap
             }
         }
     }
-    forAll(x_->acceleration, k)
-    {
-        x_->acceleration[k] = perRho*(lm[k] - data_.old.lm[k])/half;
-    }
+    findAcceleration(half);
     data_.state.sinceCommit = deltaT;
     lastStep_ = deltaT;
     evaluated_ = false;

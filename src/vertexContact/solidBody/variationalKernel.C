@@ -131,7 +131,8 @@ std::size_t Foam::variationalData::bytes() const
           + correction.size() + roughness.size() + perEdges.size()
           + 2*acceleration.size() + jumpStiffness.size()
           + adjoint.size() + T.size() + jacobian.size() + average.size()
-          + unsmoothed.size() + dissipative.size() + geometricBound.size()
+          + unsmoothed.size() + dissipative.size() + damping.size()
+          + geometricBound.size()
         );
 }
 

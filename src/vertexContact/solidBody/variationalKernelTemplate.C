@@ -675,24 +675,10 @@ void variationalKernelTemplate<D, finite>::collectAdjoint
     const vertexData& d
 ) const
 {
-    const scalar* V = d.dual.nodeVolume().cdata();
     for (label a = 0; a < d.nNodes(); ++a)
     {
         scalar* A = x.adjoint.data() + a*2*sT;
         scalar* Z = A + sT;
-        if (x.volumeImpedance > 0)
-        {
-            const scalar* L = x.grad.cdata() + a*D*sU + D;
-            scalar rate = 0;
-            for (int j = 0; j < D; ++j) rate += L[j*sU + j];
-            const scalar h = std::pow(V[a], scalar(1)/D);
-            // Means, of which the number of edges cancels
-            const scalar fast =
-                jumpSensor::haste<D>(x.roughness.cdata() + nS*a, d.cp);
-            const scalar q =
-                0.06*fast*x.volumeImpedance*h*V[a]*rate;
-            for (int j = 0; j < D; ++j) Z[j*sC + j] += q;
-        }
         if constexpr (finite)
         {
             // Z (G x)^-T

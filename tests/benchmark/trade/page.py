@@ -1,13 +1,14 @@
 """The page a user decides from, and the pictures, from the rows of the
 table."""
 
+import csv
 from math import log
 from pathlib import Path
 
 from cases import CASES
 from front import LARGEST_RISE, cheapest, front, numbers
 from picture import draw
-from variants import PRESETS, label, options
+from variants import OPTIONS, PRESETS, isPreset, label, named
 
 here = Path(__file__).resolve().parent
 LIMITS = (0.4, 0.2, 0.1, 0.05, 0.025, 0.0125, 0.00625)
@@ -22,7 +23,7 @@ with `accurate` on the finest mesh, whose own error is estimated below. *Force*,
 end; *rise* the largest rise of kinetic and strain energy above an earlier value; *penetration* the largest, over the width of a face.
 
 *Cost* is the time of all steps, over that of a small fixed case next to it in time, so that the minute does not matter; in the tables by that of
-`balanced` on the base mesh. One core. Runs whose energy rises by more than {LARGEST_RISE:g} of the initial one are not on the front, however small
+`balanced` on the base mesh. One core. `paper` evaluates the fluxes twice a step. Runs whose energy rises by more than {LARGEST_RISE:g} of the initial one are not on the front, however small
 their error is.
 """
 
@@ -50,7 +51,7 @@ def presets(tables):
     lines = []
     for name, rows in tables.items():
         case = CASES[name]
-        found = {p: find(rows, options(case, p)) for p in PRESETS}
+        found = {p: find(rows, named(case, p, case.base)) for p in PRESETS}
         if not found["balanced"]:
             continue
         unit = found["balanced"]["cost"]
@@ -87,6 +88,32 @@ def decisions(tables, error, what):
             last = row
     return table(["case", f"{what} at most", "cheapest run", "it has",
                   "seconds", "times the line above"], lines)
+
+
+def before(tables):
+    """The cheapest run of balanced on a mesh of the trade that is as good as
+    the default scheme was until November 2026 on the base mesh."""
+    lines = []
+    with open(here/"before.csv") as file:
+        for old in csv.DictReader(file):
+            case, rows = CASES[old["case"]], tables.get(old["case"], [])
+            now = find(rows, named(case, "balanced", case.base))
+            if not now:
+                continue
+            error, cost = float(old["error"]), float(old["cost"])
+            good = [r for r in onMeshes(case, rows, "balanced")
+                    if r["error"] <= error]
+            best = min(good, key=lambda r: r["cost"], default=None)
+            lines.append([
+                f"{case.title}, {case.base}", percent(error, 3),
+                percent(now["error"], 3), f"{now['cost']/cost:.2f}",
+                f"{now['steps']/float(old['evaluations']):.2f}",
+                *([best["options"]["mesh"], percent(best["error"], 3),
+                   f"{best['cost']/cost:.3f}"] if best
+                  else ["none", "", ""])])
+    return table(["case, mesh", "error then", "now", "cost now / then",
+                  "evaluations now / then", "as good: mesh", "error",
+                  "cost / then"], lines)
 
 
 def onMeshes(case, rows, preset):
@@ -134,7 +161,7 @@ def runLine(row, unit):
 
 
 def section(case, rows, stopped):
-    balanced = find(rows, options(case))
+    balanced = find(rows, named(case, "balanced", case.base))
     if not balanced:
         return f"## {case.title.capitalize()}\n\nNot run.\n"
     unit = balanced["cost"]
@@ -152,13 +179,13 @@ def section(case, rows, stopped):
             "Presets on all meshes:\n", meshes(case, rows, unit),
             "Other options, base mesh:\n",
             table(RUN_HEAD, [runLine(r, unit) for r in base
-                             if r["label"] not in PRESETS])]
+                             if not isPreset(case, r["options"])])]
     if case.name == "taylor":
         text += ["Length, radius and plastic work at the end:\n", table(
             ("run", "length", "radius", "plastic work / initial energy"),
             [[r["label"]] + [percent(r[k]) for k in
                              ("length", "radius", "plasticWork")]
-             for r in rows if r["label"].split(",")[0] in PRESETS])]
+             for preset in PRESETS for r in onMeshes(case, rows, preset)])]
     if stopped:
         text += ["Ended by the solver: " + "; ".join(
             f"*{r['label']}* ({r['status']})" for r in stopped) + ".\n"]
@@ -170,7 +197,7 @@ def reference(case, rows):
     if not case.finest:
         return "The reference is the exact solution."
     next_ = max(case.meshes, key=float)
-    row = find(rows, options(case, "accurate", next_))
+    row = find(rows, named(case, "accurate", next_))
     text = f"The reference is mesh {case.finest} with `accurate`"
     if not row:
         return text + "."
@@ -185,12 +212,16 @@ def writePage(rows):
     texts = [r for r in rows if r["status"] == "done"]
     for row, text in zip(done, texts):
         case = CASES[text["case"]]
-        row["options"] = {k: text[k] for k in options(case)}
-        # Which may have become that of a preset, or no longer be one
+        row["options"] = {k: text[k] for k in OPTIONS}
         row["label"] = label(case, row["options"])
     tables = {name: [r for r in done if r["case"] == name] for name in CASES}
     tables = {name: found for name, found in tables.items() if found}
     page = [HEAD, "## Presets\n", presets(tables),
+            "## Against the scheme before\n",
+            "Until November 2026 `balanced` was the paper's scheme with "
+            "corrections that are gone (commit f6e7214, measured once, "
+            "against the present references, on the same machine):\n",
+            before(tables),
             "## What an error costs\n",
             "The cheapest of all runs, on any mesh, with at most that error:"
             "\n", decisions(tables, "error", "error"),

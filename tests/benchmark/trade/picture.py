@@ -7,7 +7,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
 from front import LARGEST_RISE, front
-from variants import PRESETS
+from variants import PRESETS, isPreset
 
 here = Path(__file__).resolve().parent
 
@@ -27,8 +27,9 @@ def draw(case, rows, unit):
     best = front(rows)
     show(best, "k-", linewidth=0.8, label="front")
     show(best, "o", color="k", markersize=9, markerfacecolor="none")
-    for preset, marker in zip(PRESETS, "v^s"):
-        mine = sorted((r for r in rows if r["label"].split(",")[0] == preset),
+    for preset, marker in zip(PRESETS, "v^sD"):
+        mine = sorted((r for r in rows if r["options"]["preset"] == preset
+                       and isPreset(case, r["options"])),
                       key=lambda r: r["cost"])
         show(mine, f"{marker}--", linewidth=1, label=preset)
     # Their names are on the page; neighbours' numbers above and below

@@ -36,7 +36,7 @@ import numpy as np
 import caseTools
 from calibration import Calibration
 from cases import CASES, Stopped, references
-from variants import OPTIONS, label, options, variants
+from variants import OPTIONS, label, named, variants
 
 ERRORS = ("error", "velocity", "stress", "force", "peak", "impulse", "energy",
           "rise", "penetration", "length", "radius", "plasticWork")
@@ -151,7 +151,7 @@ def trade(names, jobs, missing, only):
 
 def makeReference(case):
     """Histories of the finest mesh, kept with so many digits as count."""
-    chosen = options(case, "accurate", case.finest)
+    chosen = named(case, "accurate", case.finest)
     start = time.perf_counter()
     with tempfile.TemporaryDirectory() as folder:
         histories = case.histories(case.run(Path(folder), chosen))
