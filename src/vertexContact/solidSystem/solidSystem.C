@@ -780,6 +780,7 @@ Foam::solidSystem::solidSystem(Time& runTime)
     oldImpulses_.setSize(interfaces_.size());
     initialEnergy_.setSize(bodies_.size(), scalar(0));
     readAccounts(record);
+    leastLimit_.read(record);
     const scalar lastStep = record.getOrDefault<scalar>("lastStep", 0);
     for (solidBody& body : bodies_)
     {
@@ -967,7 +968,11 @@ void Foam::solidSystem::startStep()
     }
     if (adjusts)
     {
-        runTime_.setDeltaT(fitToWriteTimes(maxCo()*timeStepLimit_), false);
+        const scalar stable =
+            integrator_.leapfrog()
+          ? leastLimit_.of(timeStepLimit_)
+          : timeStepLimit_;
+        runTime_.setDeltaT(fitToWriteTimes(maxCo()*stable), false);
     }
     stepSeconds_ += secondsSince(start);
 }

@@ -528,6 +528,7 @@ bool Foam::solidSystem::writeData(Ostream& os) const
     text<< "time " << runTime_.value() << ';' << nl
         << "lastStep " << bodies_[0].lastStep() << ';' << nl
         << "energiesOn " << (energiesOn_ ? "yes" : "no") << ';' << nl;
+    leastLimit_.write(text);
     forAll(bodies_, i)
     {
         text<< "region_" << bodies_[i].name() << nl << '{' << nl

@@ -68,7 +68,7 @@ def aspects():
 
 def vibrations():
     """A million steps of few cells; fewer of those that cost more, and of
-    those with two cells across, which need no more to gain energy."""
+    those with one or two cells across, which swing for ever."""
     rows = [(mesh, 0.3, preset, 10**5) for preset in PRESETS
             for mesh in ("1", "2", "1x2", "2x2")]
     rows += [(mesh, 0.3, "balanced", 10**5) for mesh in ("1x1x1", "2x2x2")]
