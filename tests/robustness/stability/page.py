@@ -48,7 +48,7 @@ GOOD = (
     """The step. In one dimension the bound is what a body can take (1.05 of
     it), in two and three it has room: 1.3 of it at least, whatever the cells,
     the correction, Poisson's ratio and the deformation. The default, 0.9 of
-    it, can be 1.17 times as long in one dimension, 1.44 times in two and
+    it, can be 1.22 times as long in one dimension, 1.44 times in two and
     three.""",
     """Impacts: up to 1.2 times the speed of waves, impedances up to 1:1e6,
     faces up to 1:64, slivers down to 0.5 degrees, cells up to 1:100, any
