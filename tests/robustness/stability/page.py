@@ -45,7 +45,7 @@ TITLES = {
 
 # The head of the page
 GOOD = (
-    """The step. In one dimension the bound is what a body can take (1.05 of
+    """The step. In one dimension the bound is what a body can take (1.1 of
     it), in two and three it has room: 1.3 of it at least, whatever the cells,
     the correction, Poisson's ratio and the deformation. The default, 0.9 of
     it, can be 1.22 times as long in one dimension, 1.44 times in two and
