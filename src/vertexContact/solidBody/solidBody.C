@@ -420,11 +420,11 @@ Foam::solidBody::solidBody
     {
         // The old state of a step needs none: it is committed at the end
         data_.state.makePlastic();
-        ownedVolume_ = dual_.nodeVolume();
-        forAll(ownedVolume_, a)
-        {
-            if (!dual_.sharing().owned()[a]) ownedVolume_[a] = 0;
-        }
+    }
+    ownedVolume_ = dual_.nodeVolume();
+    forAll(ownedVolume_, a)
+    {
+        if (!dual_.sharing().owned()[a]) ownedVolume_[a] = 0;
     }
 
     if (stretchedWaves_)
@@ -452,7 +452,7 @@ Foam::solidBody::solidBody
             }
         }
         x_->joinPairs(dual_.nDim());
-        findFixedNodes();
+        findSurfaceNodes();
         externalForce_.setSize(dual_.nNodes()*dual_.nDim(), Zero);
         work_.setSize(dual_.nNodes()*dual_.nDim(), Zero);
         if (hasContact_)
@@ -759,12 +759,19 @@ Foam::scalar Foam::solidBody::timeScale()
         data_.variational && data_.finiteStrain
       ? 1/(3*x_->closing + VSMALL)
       : GREAT;
-    for (label a = 0; a < dual_.nNodes(); ++a)
+    if (data_.variational)
     {
-        shortest = min(shortest, timeScaleOf(a));
+        shortest = min(shortest, variational_->timeScale(data_, *x_));
+    }
+    else
+    {
+        for (label a = 0; a < dual_.nNodes(); ++a)
+        {
+            shortest = min(shortest, timeScaleOf(a));
+        }
     }
 
-    waveSumIsConstant_ = !data_.finiteStrain && !data_.variational;
+    waveSumIsConstant_ = !data_.finiteStrain && !stretchedWaves_;
     constantTimeScale_ = shortest;
 
     return shortest;
@@ -908,33 +915,23 @@ Foam::label Foam::solidBody::findBadNode() const
 
 Foam::scalar Foam::solidBody::kineticEnergy() const
 {
-    const label d = dual_.nDim();
     scalar sum = 0;
-    for (label a = 0; a < dual_.nNodes(); ++a)
+    withDirections(dual_.nDim(), [&](auto D)
     {
-        if (dual_.sharing().owned()[a])
+        for (label a = 0; a < dual_.nNodes(); ++a)
         {
-            scalar pp = 0;
-            for (label i = 0; i < d; ++i) pp += sqr(velocity(a, i));
-            sum += dual_.nodeVolume()[a]*pp;
+            scalar vv = 0;
+            for (int i = 0; i < D.value; ++i) vv += sqr(velocity(a, i));
+            sum += ownedVolume_[a]*vv;
         }
-    }
+    });
     return 0.5*data_.rho*sum;
 }
 
 
 Foam::scalar Foam::solidBody::strainEnergy() const
 {
-    scalar sum = 0;
-    for (label a = 0; a < dual_.nNodes(); ++a)
-    {
-        if (dual_.sharing().owned()[a])
-        {
-            sum +=
-                dual_.nodeVolume()[a]
-               *material_->strainEnergy(data_.state, a);
-        }
-    }
+    scalar sum = material_->totalStrainEnergy(data_.state, ownedVolume_);
     if (data_.variational) sum += variational_->jumpEnergy(data_, *x_);
     return sum;
 }
@@ -953,39 +950,58 @@ Foam::scalar Foam::solidBody::mass() const
 
 Foam::vector Foam::solidBody::linearMomentum() const
 {
-    const label d = dual_.nDim();
-    vector sum(Zero);
-    for (label a = 0; a < dual_.nNodes(); ++a)
+    scalar sum[3] = {};
+    withDirections(dual_.nDim(), [&](auto D)
     {
-        if (dual_.sharing().owned()[a])
+        const scalar* p = data_.state.lm.cdata();
+        for (label a = 0; a < dual_.nNodes(); ++a)
         {
-            sum +=
-                dual_.nodeVolume()[a]*expand(data_.state.lm.cdata() + a*d);
+            for (int i = 0; i < D.value; ++i)
+            {
+                sum[i] += ownedVolume_[a]*p[a*D.value + i];
+            }
         }
-    }
-    return sum;
+    });
+    return expand(sum);
 }
 
 
 Foam::vector Foam::solidBody::angularMomentum() const
 {
-    const label d = dual_.nDim();
-
-    // No component can change that has a direction left out in both factors
-    vector sum(Zero);
-    for (label a = 0; a < dual_.nNodes(); ++a)
+    // x_i p_j - x_j p_i. No component can change that has a direction left out
+    // in both factors
+    tensor sum(Zero);
+    withDirections(dual_.nDim(), [&](auto D)
     {
-        if (dual_.sharing().owned()[a])
+        constexpr int d = D.value;
+        const scalar* X = dual_.nodePosition().cdata();
+        const scalar* u = data_.state.disp.cdata();
+        const scalar* p = data_.state.lm.cdata();
+        scalar L[d][d] = {};
+        for (label a = 0; a < dual_.nNodes(); ++a)
         {
-            const vector x =
-                expand(dual_.nodePosition().cdata() + a*d)
-              + expand(data_.state.disp.cdata() + a*d);
-            sum +=
-                dual_.nodeVolume()[a]
-               *(x ^ expand(data_.state.lm.cdata() + a*d));
+            scalar x[d];
+            for (int i = 0; i < d; ++i) x[i] = X[a*d + i] + u[a*d + i];
+            for (int i = 0; i < d; ++i)
+            {
+                for (int j = i + 1; j < d; ++j)
+                {
+                    L[i][j] +=
+                        ownedVolume_[a]*(x[i]*p[a*d + j] - x[j]*p[a*d + i]);
+                }
+            }
         }
-    }
-    return sum;
+        const FixedList<label, 3>& dir = dual_.directions();
+        for (int i = 0; i < d; ++i)
+        {
+            for (int j = i + 1; j < d; ++j)
+            {
+                sum[3*dir[i] + dir[j]] = L[i][j];
+                sum[3*dir[j] + dir[i]] = -L[i][j];
+            }
+        }
+    });
+    return vector(sum.yz(), sum.zx(), sum.xy());
 }
 
 

@@ -148,7 +148,7 @@ void Foam::solidBody::readState()
 
     if (data_.variational)
     {
-        if (x_->nRough > 2)
+        if (x_->acceleration.size())
         {
             const auto rush =
                 readIfPresent<vector>("acceleration", dimAcceleration);
@@ -370,7 +370,7 @@ void Foam::solidBody::write()
         "lm", dimDensity*dimVelocity,
         [&](const label a) { return expand(s.lm.cdata() + a*d); }
     );
-    if (data_.variational && x_->nRough > 2)
+    if (data_.variational && x_->acceleration.size())
     {
         writeField<vector>
         (

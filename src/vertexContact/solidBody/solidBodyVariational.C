@@ -16,7 +16,7 @@ Description
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::solidBody::findFixedNodes()
+void Foam::solidBody::findSurfaceNodes()
 {
     // A node of several such patches has the velocity of the first one; also
     // on ranks that have none of its faces there
@@ -46,6 +46,28 @@ void Foam::solidBody::findFixedNodes()
     }
     fixedNodes_.transfer(nodes);
     fixedPatch_.transfer(patches);
+
+    scalarField touches(dual_.nNodes(), Zero);
+    for (const dualPatch& patch : dual_.patches())
+    {
+        const label patchi = patch.patchIndex;
+        if (corners_.set(patchi) && condition(patchi).contact())
+        {
+            for (const label a : patch.cornerNode) touches[a] = 1;
+        }
+    }
+    dual_.sharing().max(touches.data(), 1);
+    DynamicList<label> inContact, fixed;
+    forAll(touches, a)
+    {
+        if (touches[a] > 0.5) inContact.append(a);
+    }
+    for (const label a : fixedNodes_)
+    {
+        if (touches[a] > 0.5) fixed.append(a);
+    }
+    contactNodes_.transfer(inContact);
+    fixedContactNodes_.transfer(fixed);
 }
 
 
@@ -111,26 +133,8 @@ void Foam::solidBody::boundFrequencies()
     // What the operator has, rounded up to two digits: not the last bits, which
     // depend on the number of processors
     const scalar ratio = largestEigenvalue(data_, *x_, symmetry_)/largest;
-    boundRatio_ = std::ceil(1e2*ratio)/1e2;
-    largestFrequency_ = data_.cp*std::sqrt(boundRatio_*largest);
-}
-
-
-Foam::scalar Foam::solidBody::variationalTimeScaleOf(const label node) const
-{
-    // Of x' = v, m v' = -k x - c v with lagged v: stable up to
-    // dt^2 k/(4 m) + dt c/(2 m) = 1, here with bounds of both
-    const scalar square =
-        boundRatio_*variational_->squaredFrequency(data_, *x_, node);
-    scalar damping = 0.5*variational_->damping(data_, node);
-    if (x_->smoothed)
-    {
-        // Of the waves of largest frequency half is in the differences
-        const scalar h = std::pow(dual_.nodeVolume()[node], 1.0/dual_.nDim());
-        damping +=
-            0.125*h*square*x_->volumeImpedance/(data_.rho*sqr(data_.cp));
-    }
-    return 2*(std::sqrt(sqr(damping) + square) - damping)/square;
+    x_->boundRatio = std::ceil(1e2*ratio)/1e2;
+    largestFrequency_ = data_.cp*std::sqrt(x_->boundRatio*largest);
 }
 
 
@@ -138,33 +142,31 @@ void Foam::solidBody::deform()
 {
     variationalData& x = *x_;
     const label d = dual_.nDim();
-    const label sC = variationalData::columnStride(d);
+    const label sA = variationalLayout::strideColumn(d);
+    const label sC = variationalLayout::strideC(d);
+    const label sS = variationalLayout::strideSensor;
 
-    variational_->collect(data_, x);
+    nBad_ = variational_->collect(data_, x);
     variational_->gradients(x, data_);
-    dual_.sharing().sum(x.grad.data(), d*x.strideU);
-    completeTensors(x.grad.data(), d*x.strideU, x.strideU, 0);
-    completeTensors(x.grad.data(), d*x.strideU, x.strideU, d);
-    nBad_ = variational_->deform(x, data_);
+    dual_.sharing().sum(x.grad.data(), d*sA);
+    completeTensors(x.grad.data(), d*sA, sA, 0);
+    completeTensors(x.grad.data(), d*sA, sA, d);
+    nBad_ += variational_->deform(x, data_);
 
     variational_->correct(x, data_);
     if (x.beta > 0)
     {
         dual_.sharing().sum
         (
-            {{x.correction.data(), d*sC}, {x.roughness.data(), x.nRough}}
+            {{x.correction.data(), d*sC}, {x.sensor.data(), sS}}
         );
         completeTensors(x.correction.data(), d*sC, sC, 0);
     }
     else
     {
-        dual_.sharing().sum(x.roughness.data(), x.nRough);
+        dual_.sharing().sum(x.sensor.data(), sS);
     }
     nBad_ += variational_->kinematics(data_, x);
-    for (const scalar p : data_.state.lm)
-    {
-        if (!std::isfinite(p)) ++nBad_;
-    }
 
     if (x.smoothed)
     {
@@ -179,7 +181,7 @@ void Foam::solidBody::findJumpStiffness()
     const label d = dual_.nDim();
     // In uniaxial strain nothing shears
     const scalar modulus = d > 1 ? jumpShare*material_->jumpModulus() : 0;
-    forAll(x_->jumpStiffness, e)
+    for (label e = 0; e < dual_.nEdges(); ++e)
     {
         const label a = dual_.edgeNodes()[2*e], b = dual_.edgeNodes()[2*e + 1];
         scalar CC = 0, rr = 0;
@@ -257,14 +259,8 @@ void Foam::solidBody::computeForces(const bool energy)
 {
     variationalData& x = *x_;
     const label d = dual_.nDim();
-    const label sC = variationalData::columnStride(d);
-    const label sA = 2*d*sC;
+    const label sA = variationalLayout::strideColumn(d);
 
-    const bool rough = x.nRough > 2;
-    if ((energy || rough) && x.dissipative.empty())
-    {
-        x.dissipative.setSize(dual_.nNodes()*d, Zero);
-    }
     if (x.smoothed)
     {
         // SigmaJ where it acts, S SigmaJ, in place of that of the smoothed J
@@ -274,14 +270,14 @@ void Foam::solidBody::computeForces(const bool energy)
     }
 
     variational_->fluxes(data_, x);
-    dual_.sharing().sum(x.adjoint.data(), sA);
-    variational_->collectAdjoint(x, data_);
-    completeTensors(x.adjoint.data(), sA, sC, 0);
-    completeTensors(x.adjoint.data(), sA, sC, d*sC);
+    dual_.sharing().sum(x.adjoint.data(), d*sA);
+    completeTensors(x.adjoint.data(), d*sA, sA, 0);
+    completeTensors(x.adjoint.data(), d*sA, sA, d);
     variational_->stresses(x, data_);
-    variational_->forces(data_, x, energy || rough);
+    variational_->forces(data_, x);
 
     externalForce_ = Zero;
+    bool loaded = false;
     for (const dualPatch& patch : dual_.patches())
     {
         const label patchi = patch.patchIndex;
@@ -296,25 +292,15 @@ void Foam::solidBody::computeForces(const bool energy)
             (
                 data_, patch, corners_[patchi], externalForce_
             );
+            loaded = true;
         }
     }
-    for (label a = 0; a < dual_.nNodes(); ++a)
+    for (label a = 0; loaded && a < dual_.nNodes(); ++a)
     {
         scalar* rate = data_.rates.data() + a*data_.strideRates;
         for (label i = 0; i < d; ++i) rate[i] += externalForce_[a*d + i];
     }
-    if (rough)
-    {
-        x.damping = x.dissipative;
-        dual_.sharing().sum
-        (
-            {{data_.rates.data(), data_.strideRates}, {x.damping.data(), d}}
-        );
-    }
-    else
-    {
-        dual_.sharing().sum(data_.rates.data(), data_.strideRates);
-    }
+    dual_.sharing().sum(data_.rates.data(), data_.strideRates);
 }
 
 
@@ -325,25 +311,39 @@ void Foam::solidBody::findAcceleration(const scalar step)
     const label d = dual_.nDim();
 
     // What contact or a boundary holds is not moved by the dissipation
-    if (symmetry_.active()) symmetry_.project(x.damping.data(), d);
-    for (const label a : fixedNodes_)
+    scalar* damping =
+        data_.rates.data() + variationalLayout::atDissipation(d);
+    const label stride = data_.strideRates;
+    if (symmetry_.active()) symmetry_.project(damping, stride);
+    const auto isHeld = [&](const label a)
     {
-        for (label i = 0; i < d; ++i) x.damping[a*d + i] = 0;
-    }
+        for (label i = 0; i < d; ++i) damping[a*stride + i] = 0;
+    };
+    for (const label a : fixedNodes_) isHeld(a);
     if (hasContact_)
+    {
+        for (const label a : contactNodes_)
+        {
+            if (contact_.status[a] >= 0.5) isHeld(a);
+        }
+    }
+    const scalar* lm = data_.state.lm.cdata();
+    const scalar* old = data_.old.lm.cdata();
+    const scalar perStep = 1/step, perRho = 1/data_.rho;
+    scalar* result = x.acceleration.data();
+    withDirections(d, [&](auto D)
     {
         for (label a = 0; a < dual_.nNodes(); ++a)
         {
-            if (contact_.status[a] < 0.5) continue;
-            for (label i = 0; i < d; ++i) x.damping[a*d + i] = 0;
+            for (int i = 0; i < D.value; ++i)
+            {
+                const label k = a*D.value + i;
+                result[k] =
+                    perRho
+                   *(perStep*(lm[k] - old[k]) - damping[a*stride + i]);
+            }
         }
-    }
-    const scalarField& lm = data_.state.lm;
-    forAll(x.acceleration, k)
-    {
-        x.acceleration[k] =
-            ((lm[k] - data_.old.lm[k])/step - x.damping[k])/data_.rho;
-    }
+    });
 }
 
 
@@ -380,8 +380,12 @@ void Foam::solidBody::addContactForces()
 {
     if (!hasContact_) return;
     const label d = dual_.nDim();
+    // Other nodes' sums are not used
     scalarField& sum = work_;
-    sum = Zero;
+    for (const label a : contactNodes_)
+    {
+        for (label i = 0; i < d; ++i) sum[a*d + i] = 0;
+    }
     forAll(corners_, patchi)
     {
         if (corners_.set(patchi) && condition(patchi).contact())
@@ -392,10 +396,13 @@ void Foam::solidBody::addContactForces()
             );
         }
     }
-    contactForce_ = sum;
+    for (const label a : contactNodes_)
+    {
+        for (label i = 0; i < d; ++i) contactForce_[a*d + i] = sum[a*d + i];
+    }
     dual_.sharing().sum(sum.data(), d);
     if (symmetry_.active()) symmetry_.project(sum.data(), d);
-    for (const label a : fixedNodes_)
+    for (const label a : fixedContactNodes_)
     {
         for (label i = 0; i < d; ++i)
         {
@@ -406,7 +413,7 @@ void Foam::solidBody::addContactForces()
             sum[a*d + i] = 0;
         }
     }
-    for (label a = 0; a < dual_.nNodes(); ++a)
+    for (const label a : contactNodes_)
     {
         scalar* rate = data_.rates.data() + a*data_.strideRates;
         for (label i = 0; i < d; ++i) rate[i] += sum[a*d + i];
@@ -435,22 +442,35 @@ Foam::solidBody::powers Foam::solidBody::powersOf
     const scalarField& velocity
 ) const
 {
-    const label d = dual_.nDim();
     powers p;
-    for (label a = 0; a < dual_.nNodes(); ++a)
+    withDirections(dual_.nDim(), [&](auto D)
     {
-        const scalar V = dual_.nodeVolume()[a];
-        for (label i = 0; i < d; ++i)
+        constexpr int d = D.value;
+        constexpr int atDamping = variationalLayout::atDissipation(d);
+        const scalar* v = velocity.cdata();
+        const scalar* external = externalForce_.cdata();
+        const scalar* contact = contactForce_.cdata();
+        for (label a = 0; a < dual_.nNodes(); ++a)
         {
-            const scalar Vv = V*velocity[a*d + i];
-            p.external += externalForce_[a*d + i]*Vv;
-            if (hasContact_) p.contact += contactForce_[a*d + i]*Vv;
-            if (x_->dissipative.size())
+            const scalar V = dual_.nodeVolume()[a];
+            const scalar* rate = data_.rates.cdata() + a*data_.strideRates;
+            scalar ofExternal = 0, damped = 0;
+            for (int i = 0; i < d; ++i)
             {
-                p.numericalDissipation -= x_->dissipative[a*d + i]*Vv;
+                const label k = a*d + i;
+                ofExternal += external[k]*v[k];
+                damped += rate[atDamping + i]*v[k];
             }
+            p.external += V*ofExternal;
+            p.numericalDissipation -= ownedVolume_[a]*damped;
         }
-    }
+        for (const label a : contactNodes_)
+        {
+            scalar power = 0;
+            for (int i = 0; i < d; ++i) power += contact[a*d + i]*v[a*d + i];
+            p.contact += dual_.nodeVolume()[a]*power;
+        }
+    });
     return p;
 }
 
@@ -491,11 +511,17 @@ void Foam::solidBody::leap
     scalar* disp = data_.state.disp.data();
     const scalar perRho = 1/data_.rho;
 
-    for (label a = 0; a < dual_.nNodes(); ++a)
+    withDirections(d, [&](auto D)
     {
-        const scalar* rate = data_.rates.cdata() + a*data_.strideRates;
-        for (label i = 0; i < d; ++i) lm[a*d + i] += half*rate[i];
-    }
+        for (label a = 0; a < dual_.nNodes(); ++a)
+        {
+            const scalar* rate = data_.rates.cdata() + a*data_.strideRates;
+            for (int i = 0; i < D.value; ++i)
+            {
+                lm[a*D.value + i] += half*rate[i];
+            }
+        }
+    });
     forAll(fixedNodes_, k)
     {
         const label a = fixedNodes_[k];

@@ -5,7 +5,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "variationalKernelTemplate.H"
-#include "jumpSensor.H"
 #include "ListOps.H"
 #include <cmath>
 
@@ -22,27 +21,61 @@ Foam::variationalData::variationalData
     beta(beta),
     epsilon(epsilon),
     smoothed(smoothed),
-    strideU(paddedStride(2*d.nDim())),
-    U(d.nNodes()*strideU),
-    grad(d.nNodes()*d.nDim()*strideU),
+    area(nLanes*d.nDim()*((d.dual.nEdges() + nLanes - 1)/nLanes)),
+    U(d.nNodes()*variationalLayout::strideU(d.nDim())),
+    grad(d.nNodes()*d.nDim()*variationalLayout::strideColumn(d.nDim())),
     inverse(d.finiteStrain ? d.nNodes()*d.nDim()*d.nDim() : 0, Zero),
     correction
     (
-        beta > 0 ? d.nNodes()*d.nDim()*columnStride(d.nDim()) : label(0)
+        beta > 0
+      ? d.nNodes()*d.nDim()*variationalLayout::strideC(d.nDim()) : label(0)
     ),
-    nRough(jumpSensor::nSquares(d.nDim())),
-    roughness(nRough*d.nNodes(), Zero),
+    sensor(d.nNodes()*variationalLayout::strideSensor),
     perEdges(d.nNodes(), Zero),
-    acceleration(nRough > 2 ? d.nNodes()*d.nDim() : label(0), Zero),
+    perV(d.nNodes()),
+    acceleration(d.nDim() > 1 ? d.nNodes()*d.nDim() : label(0), Zero),
     oldAcceleration(acceleration),
-    jumpStiffness(d.dual.nEdges(), Zero),
-    adjoint(2*d.nNodes()*d.nDim()*columnStride(d.nDim())),
-    T(d.nNodes()*d.nDim()*columnStride(d.nDim())),
+    jumpStiffness(d.dual.nEdges()),
+    adjoint(d.nNodes()*d.nDim()*variationalLayout::strideColumn(d.nDim())),
+    smoothing(smoothed ? d.dual.nEdges() : 0, Zero),
     jacobian(smoothed ? d.nNodes() : 0, scalar(1)),
     average(smoothed ? d.nNodes() : 0, scalar(1)),
     unsmoothed(average),
     geometricBound(d.nNodes()*d.nDim()*(d.nDim() + 1)/2, Zero)
-{}
+{
+    const label nDim = d.nDim();
+    for (label e = 0; e < d.dual.nEdges(); ++e)
+    {
+        const label lane = e % nLanes;
+        for (label j = 0; j < nDim; ++j)
+        {
+            const scalar C = d.edgeArea()[e*nDim + j];
+            area[(e - lane)*nDim + j*nLanes + lane] = C;
+            if (smoothed)
+            {
+                const label a = d.dual.edgeNodes()[2*e];
+                const label b = d.dual.edgeNodes()[2*e + 1];
+                smoothing[e] +=
+                    0.5/(nDim + 1)*C
+                   *(
+                        d.dual.nodePosition()[b*nDim + j]
+                      - d.dual.nodePosition()[a*nDim + j]
+                    );
+            }
+        }
+    }
+
+    // Where edges are, which does not change
+    const label stride = variationalLayout::strideU(nDim);
+    for (label a = 0; a < d.nNodes(); ++a)
+    {
+        perV[a] = 1/d.dual.nodeVolume()[a];
+        for (label j = 0; j < nDim; ++j)
+        {
+            U[a*stride + 2*nDim + j] = d.dual.nodePosition()[a*nDim + j];
+        }
+    }
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -128,11 +161,11 @@ std::size_t Foam::variationalData::bytes() const
        *std::size_t
         (
             pairArea.size() + U.size() + grad.size() + inverse.size()
-          + correction.size() + roughness.size() + perEdges.size()
+          + area.size() + correction.size() + sensor.size() + perEdges.size()
+          + perV.size() + smoothing.size()
           + 2*acceleration.size() + jumpStiffness.size()
-          + adjoint.size() + T.size() + jacobian.size() + average.size()
-          + unsmoothed.size() + dissipative.size() + damping.size()
-          + geometricBound.size()
+          + adjoint.size() + jacobian.size() + average.size()
+          + unsmoothed.size() + geometricBound.size()
         );
 }
 

@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "variationalKernelTemplate.H"
+#include "variationalKernelEdges.C"
 #include "cornerStates.H"
 #include "vertexKernel.H"
 #include <cmath>
@@ -54,69 +55,10 @@ inline SolidVector<D> variationalKernelTemplate<D, finite>::waveArea
 }
 
 
-template<int D, bool finite>
-inline variationalKernelTemplate<D, finite>::edgeMotion::edgeMotion
-(
-    const scalar* Xa,
-    const scalar* Xb,
-    const scalar* Ua,
-    const scalar* Ub,
-    const scalar* La,
-    const scalar* Lb
-)
-{
-    for (int i = 0; i < D; ++i)
-    {
-        dx[i] = Xb[i] - Xa[i];
-        if (finite) dx[i] += Ub[i] - Ua[i];
-    }
-
-    scalar xx = 0, along = 0, jumpAlong = 0;
-    for (int i = 0; i < D; ++i)
-    {
-        scalar change = 0;
-        for (int j = 0; j < D; ++j)
-        {
-            change += 0.5*(La[j*sU + i] + Lb[j*sU + i])*dx[j];
-        }
-        jump[i] = Ub[D + i] - Ua[D + i] - change;
-        xx += dx[i]*dx[i];
-        along += change*dx[i];
-        jumpAlong += jump[i]*dx[i];
-    }
-    perLength2 = 1/xx;
-    stretching = along*perLength2;
-    closing = -(along + jumpAlong)*perLength2;
-    jj = jumpAlong*jumpAlong*perLength2;
-    mm = along*along*perLength2;
-}
-
-
-template<int D, bool finite>
-inline void variationalKernelTemplate<D, finite>::positionJump
-(
-    const scalar* U,
-    const scalar* grad,
-    const label a,
-    const label b,
-    const scalar* r,
-    scalar* jump
-)
-{
-    for (int i = 0; i < D; ++i) jump[i] = U[b*sU + i] - U[a*sU + i];
-    for (int j = 0; j < D; ++j)
-    {
-        const scalar* ga = grad + (a*D + j)*sU;
-        const scalar* gb = grad + (b*D + j)*sU;
-        for (int i = 0; i < D; ++i) jump[i] -= 0.5*(ga[i] + gb[i])*r[j];
-    }
-}
-
-
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 template<int D, bool finite>
-void variationalKernelTemplate<D, finite>::collect
+label variationalKernelTemplate<D, finite>::collect
 (
     vertexData& d,
     variationalData& x
@@ -126,94 +68,24 @@ void variationalKernelTemplate<D, finite>::collect
     const scalar perRho = 1/d.rho;
     const scalar* lm = d.state.lm.cdata();
     const scalar* disp = d.state.disp.cdata();
+    const scalar* rush = x.acceleration.cdata();
     scalar* W = d.W.data();
     scalar* U = x.U.data();
 
+    label nBad = 0;
     for (label a = 0; a < n; ++a)
     {
         for (int i = 0; i < D; ++i)
         {
             const scalar v = perRho*lm[a*D + i];
+            nBad += !(mag(v) < VGREAT);
             U[a*sU + i] = disp[a*D + i];
             U[a*sU + D + i] = v;
+            if constexpr (D > 1) U[a*sU + 3*D + i] = rush[a*D + i];
             W[a*d.strideW + i] = v;
         }
     }
-}
-
-
-template<int D, bool finite>
-void variationalKernelTemplate<D, finite>::gradients
-(
-    variationalData& x,
-    const vertexData& d
-) const
-{
-    const label* edge = d.dual.edgeNodes().cdata();
-    const scalar* area = d.edgeArea();
-    const scalar* V = d.dual.nodeVolume().cdata();
-    const scalar* U = x.U.cdata();
-    const label nEdges = d.dual.nEdges();
-
-    x.grad = Zero;
-    scalar* grad = x.grad.data();
-
-    const label nPairs = x.pairNodes.size()/2;
-    for (label p = 0; p < nPairs; ++p)
-    {
-        const label a = x.pairNodes[2*p], b = x.pairNodes[2*p + 1];
-        const scalar* B = x.pairArea.cdata() + D*p;
-        for (int k = 0; k < sU; k += wU)
-        {
-            const row<wU> change =
-                rowAt<wU>(U + b*sU + k) - rowAt<wU>(U + a*sU + k);
-            for (int j = 0; j < D; ++j)
-            {
-                rowAt<wU>(grad + (a*D + j)*sU + k) += change*B[j];
-                rowAt<wU>(grad + (b*D + j)*sU + k) -= change*B[j];
-            }
-        }
-    }
-
-    // Edges are sorted by their first node: with the last of its own, all edges
-    // of a node are done
-    label e = 0, farthest = -1;
-    for (label a = 0; a < d.nNodes(); ++a)
-    {
-        scalar* ga = grad + a*sU*D;
-        row<wU> Ua[sU/wU], sumA[D*sU/wU];
-        for (int k = 0; k < sU/wU; ++k) Ua[k] = rowAt<wU>(U + a*sU + k*wU);
-        for (int k = 0; k < D*sU/wU; ++k) sumA[k] = rowAt<wU>(ga + k*wU);
-
-        for (; e < nEdges && edge[2*e] == a; ++e)
-        {
-            const label soon =
-                edge[2*min(e + prefetchDistance, nEdges - 1) + 1];
-            if (soon > farthest)
-            {
-                farthest = soon;
-                prefetch<sU>(U + soon*sU);
-                prefetch<sU*D>(grad + soon*sU*D);
-            }
-
-            const label b = edge[2*e + 1];
-            scalar* gb = grad + b*sU*D;
-            for (int k = 0; k < sU/wU; ++k)
-            {
-                const row<wU> half =
-                    0.5*(rowAt<wU>(U + b*sU + k*wU) - Ua[k]);
-                for (int j = 0; j < D; ++j)
-                {
-                    const row<wU> f = half*area[D*e + j];
-                    sumA[j*sU/wU + k] += f;
-                    rowAt<wU>(gb + j*sU + k*wU) += f;
-                }
-            }
-        }
-
-        const scalar perV = 1/V[a];
-        for (int k = 0; k < D*sU/wU; ++k) rowAt<wU>(ga + k*wU) = sumA[k]*perV;
-    }
+    return nBad;
 }
 
 
@@ -231,13 +103,13 @@ label variationalKernelTemplate<D, finite>::deform
     label nBad = 0;
     for (label a = 0; a < d.nNodes(); ++a)
     {
-        scalar* g = x.grad.data() + a*sU*D;
+        scalar* g = x.grad.data() + a*D*sA;
         SolidTensor<D> F;
         for (int i = 0; i < D; ++i)
         {
             for (int j = 0; j < D; ++j)
             {
-                F(i, j) = (i == j ? 1 : 0) + g[j*sU + i];
+                F(i, j) = (i == j ? 1 : 0) + g[j*sA + i];
             }
         }
         F.out = 1;
@@ -258,117 +130,17 @@ label variationalKernelTemplate<D, finite>::deform
                 scalar sum = 0;
                 for (int k = 0; k < D; ++k)
                 {
-                    sum += g[k*sU + D + i]*inverse[k*D + j];
+                    sum += g[k*sA + D + i]*inverse[k*D + j];
                 }
                 L[i*D + j] = sum;
             }
         }
         for (int i = 0; i < D; ++i)
         {
-            for (int j = 0; j < D; ++j) g[j*sU + D + i] = L[i*D + j];
+            for (int j = 0; j < D; ++j) g[j*sA + D + i] = L[i*D + j];
         }
     }
     return nBad;
-}
-
-
-template<int D, bool finite>
-void variationalKernelTemplate<D, finite>::correct
-(
-    variationalData& x,
-    const vertexData& d
-) const
-{
-    const label* edge = d.dual.edgeNodes().cdata();
-    const scalar* area = d.edgeArea();
-    const scalar* X = d.dual.nodePosition().cdata();
-    const scalar* V = d.dual.nodeVolume().cdata();
-    const scalar* grad = x.grad.cdata();
-    const label nEdges = d.dual.nEdges();
-    const scalar* U = x.U.cdata();
-    const scalar half = 0.5*x.beta;
-    const bool corrects = x.beta > 0;
-
-    x.correction = Zero;
-    x.roughness = Zero;
-    scalar closing = 0;
-    scalar* correction = x.correction.data();
-    scalar* rough = x.roughness.data();
-    const scalar* rush = x.acceleration.cdata();
-
-    label e = 0, farthest = -1;
-    for (label a = 0; a < d.nNodes(); ++a)
-    {
-        const scalar* ga = grad + a*sU*D;
-        row<wC> Ga[D] = {}, sumA[D] = {};
-        if (corrects)
-        {
-            for (int j = 0; j < D; ++j)
-            {
-                Ga[j] = rowAt<wC>(ga + j*sU);
-                sumA[j] = rowAt<wC>(correction + a*sT + j*sC);
-            }
-        }
-        for (; e < nEdges && edge[2*e] == a; ++e)
-        {
-            const label soon =
-                edge[2*min(e + prefetchDistance, nEdges - 1) + 1];
-            if (soon > farthest)
-            {
-                farthest = soon;
-                prefetch<sU>(U + soon*sU);
-                prefetch<sU*D>(grad + soon*sU*D);
-                if (corrects) prefetch<sT>(correction + soon*sT);
-            }
-
-            const label b = edge[2*e + 1];
-            const scalar* gb = grad + b*sU*D;
-            const edgeMotion m
-            (
-                X + a*D, X + b*D, U + a*sU, U + b*sU, ga + D, gb + D
-            );
-            closing = max(closing, m.closing);
-            scalar squares[nS] = {m.jj, m.mm};
-            if constexpr (nS > 2)
-            {
-                scalar hastening = 0;
-                for (int i = 0; i < D; ++i)
-                {
-                    hastening += (rush[b*D + i] - rush[a*D + i])*m.dx[i];
-                }
-                squares[2] = hastening*hastening;
-            }
-            for (int k = 0; k < nS; ++k)
-            {
-                rough[nS*a + k] += squares[k];
-                rough[nS*b + k] += squares[k];
-            }
-            if (!corrects) continue;
-
-            row<wC> change{};
-            for (int j = 0; j < D; ++j)
-            {
-                change +=
-                    (Ga[j] - rowAt<wC>(gb + j*sU))
-                   *(half*(X[b*D + j] - X[a*D + j]));
-            }
-            for (int j = 0; j < D; ++j)
-            {
-                const row<wC> f = change*area[D*e + j];
-                sumA[j] += f;
-                rowAt<wC>(correction + b*sT + j*sC) -= f;
-            }
-        }
-        if (corrects)
-        {
-            const scalar perV = 1/V[a];
-            for (int j = 0; j < D; ++j)
-            {
-                rowAt<wC>(correction + a*sT + j*sC) = sumA[j]*perV;
-            }
-        }
-    }
-    x.closing = closing;
 }
 
 
@@ -383,14 +155,16 @@ label variationalKernelTemplate<D, finite>::kinematics
     scalar* F = d.state.F.data();
     for (label a = 0; a < d.nNodes(); ++a)
     {
-        const scalar* g = x.grad.cdata() + a*sU*D;
+        const scalar perV = x.perV[a];
+        for (int k = 0; k < 3; ++k) x.sensor[a*sS + k] *= x.perEdges[a];
+        const scalar* g = x.grad.cdata() + a*D*sA;
         const scalar* c = x.correction.cdata() + a*sT;
         for (int i = 0; i < D; ++i)
         {
             for (int j = 0; j < D; ++j)
             {
-                scalar sum = g[j*sU + i];
-                if (x.beta > 0) sum += c[j*sC + i];
+                scalar sum = g[j*sA + i];
+                if (x.beta > 0) sum += perV*c[j*sC + i];
                 F[a*nP + i*D + j] = (i == j ? 1 : 0) + sum;
             }
         }
@@ -432,27 +206,26 @@ void variationalKernelTemplate<D, finite>::smooth
 ) const
 {
     const label* edge = d.dual.edgeNodes().cdata();
-    const scalar* area = d.edgeArea();
-    const scalar* X = d.dual.nodePosition().cdata();
-    const scalar* V = d.dual.nodeVolume().cdata();
+    const scalar* k = x.smoothing.cdata();
     const scalar* J = x.jacobian.cdata();
     scalar* average = x.average.data();
-    constexpr scalar share = 0.5/(D + 1);
+    const label nEdges = d.dual.nEdges();
 
     x.average = Zero;
-    for (label e = 0; e < d.dual.nEdges(); ++e)
+    index e = 0;
+    for (index a = 0; a < d.nNodes(); ++a)
     {
-        const label a = edge[2*e], b = edge[2*e + 1];
-        scalar k = 0;
-        for (int j = 0; j < D; ++j)
+        const scalar Ja = J[a];
+        scalar sum = average[a];
+        for (; e < nEdges && edge[2*e] == a; ++e)
         {
-            k += area[D*e + j]*(X[b*D + j] - X[a*D + j]);
+            const index b = edge[2*e + 1];
+            const scalar f = k[e]*(J[b] - Ja);
+            sum += f;
+            average[b] -= f;
         }
-        const scalar f = share*k*(J[b] - J[a]);
-        average[a] += f;
-        average[b] -= f;
+        average[a] = x.perV[a]*sum;
     }
-    for (label a = 0; a < d.nNodes(); ++a) average[a] /= V[a];
 }
 
 
@@ -481,394 +254,54 @@ void variationalKernelTemplate<D, finite>::addPressure
 
 
 template<int D, bool finite>
-void variationalKernelTemplate<D, finite>::fluxes
-(
-    vertexData& d,
-    variationalData& x
-) const
-{
-    const label* edge = d.dual.edgeNodes().cdata();
-    const scalar* area = d.edgeArea();
-    const scalar* X = d.dual.nodePosition().cdata();
-    const scalar* U = x.U.cdata();
-    const scalar* grad = x.grad.cdata();
-    const scalar* factor =
-        d.waveFactor.size() ? d.waveFactor.cdata() : nullptr;
-    const scalar* P = d.W.cdata() + d.offsetP();
-    const label sW = d.strideW;
-    const label sR = d.strideRates;
-    const scalar halfBeta = 0.5*x.beta;
-    const scalar halfZp = 0.5*d.rho*d.cp;
-    const scalar halfZs = 0.5*d.rho*d.cs;
-    const scalar* rough = x.roughness.cdata();
-    const scalar* perEdges = x.perEdges.cdata();
-    const scalar* stiffness = x.jumpStiffness.cdata();
-    const label nEdges = d.dual.nEdges();
-
-    d.rates = Zero;
-    x.adjoint = Zero;
-    const bool accounts = x.dissipative.size();
-    if (accounts) x.dissipative = Zero;
-    scalar* rates = d.rates.data();
-    scalar* adjoint = x.adjoint.data();
-
-    label farthest = -1;
-    for (label e = 0; e < nEdges; ++e)
-    {
-        const label soon = edge[2*min(e + prefetchDistance, nEdges - 1) + 1];
-        if (soon > farthest)
-        {
-            farthest = soon;
-            prefetch<sU>(U + soon*sU);
-            prefetch<sU*D>(grad + soon*sU*D);
-            prefetch<nP>(P + soon*sW);
-            prefetch<2*sT>(adjoint + soon*2*sT);
-        }
-
-        const label a = edge[2*e], b = edge[2*e + 1];
-        const scalar* C = area + D*e;
-        scalar* Xa = adjoint + a*2*sT;
-        scalar* Xb = adjoint + b*2*sT;
-
-        // Force of the jump of the positions, and its adjoint
-        scalar apart[D], r[D];
-        for (int j = 0; j < D; ++j) r[j] = X[b*D + j] - X[a*D + j];
-        positionJump(U, grad, a, b, r, apart);
-        for (int i = 0; i < D; ++i)
-        {
-            const scalar s = stiffness[e]*apart[i];
-            rates[a*sR + i] += s;
-            rates[b*sR + i] -= s;
-            if (accounts)
-            {
-                x.dissipative[a*D + i] -= s;
-                x.dissipative[b*D + i] += s;
-            }
-            for (int j = 0; j < D; ++j)
-            {
-                Xa[j*sC + i] -= 0.5*s*r[j];
-                Xb[j*sC + i] -= 0.5*s*r[j];
-            }
-        }
-
-        // Adjoint of the corrections
-        if (halfBeta > 0)
-        {
-            scalar f[D];
-            for (int i = 0; i < D; ++i) f[i] = 0;
-            for (int j = 0; j < D; ++j)
-            {
-                for (int i = 0; i < D; ++i)
-                {
-                    f[i] += (P[a*sW + j*D + i] - P[b*sW + j*D + i])*C[j];
-                }
-            }
-            for (int j = 0; j < D; ++j)
-            {
-                const scalar rj = halfBeta*r[j];
-                for (int i = 0; i < D; ++i)
-                {
-                    Xa[j*sC + i] += f[i]*rj;
-                    Xb[j*sC + i] -= f[i]*rj;
-                }
-            }
-        }
-
-        const edgeMotion m
-        (
-            X + a*D, X + b*D, U + a*sU, U + b*sU,
-            grad + a*sU*D + D, grad + b*sU*D + D
-        );
-        const scalar* dx = m.dx;
-        scalar fast;
-        const scalar leftOut = jumpSensor::leftOut<D>
-        (
-            rough + nS*a, perEdges[a], rough + nS*b, perEdges[b], d.cp, fast
-        );
-        const scalar share = x.epsilon + (1 - x.epsilon)*leftOut;
-        scalar jump[D];
-        for (int i = 0; i < D; ++i)
-        {
-            jump[i] = m.jump[i] + leftOut*m.stretching*dx[i];
-        }
-
-        // Differences of the rate of the volume
-        if (x.volumeImpedance > 0)
-        {
-            scalar Cr = 0, rr = 0, difference = 0;
-            for (int j = 0; j < D; ++j)
-            {
-                Cr += C[j]*r[j];
-                rr += r[j]*r[j];
-                difference +=
-                    grad[(a*D + j)*sU + D + j] - grad[(b*D + j)*sU + D + j];
-            }
-            const scalar q =
-                0.25*fast*x.volumeImpedance*Cr*std::sqrt(rr)/(D + 1)
-               *difference;
-            for (int j = 0; j < D; ++j)
-            {
-                Xa[sT + j*sC + j] += q;
-                Xb[sT + j*sC + j] -= q;
-            }
-        }
-
-        // Waves, along and across their direction (34a), (65)
-        const SolidVector<D> c = waveArea(d.state, a, b, C);
-        scalar cc = 0, CC = 0, jc = 0;
-        for (int i = 0; i < D; ++i)
-        {
-            cc += c[i]*c[i];
-            CC += C[i]*C[i];
-            jc += jump[i]*c[i];
-        }
-        scalar wave = std::sqrt(finite && D > 1 ? max(cc, CC) : cc);
-        if (factor) wave *= max(factor[a], factor[b]);
-
-        // Of the full dissipation, what it would damp: for the step
-        const scalar perCC = 1/(cc + VSMALL);
-        for (int i = 0, k = D; i < D; ++i)
-        {
-            for (int j = i; j < D; ++j, ++k)
-            {
-                const scalar z =
-                    wave
-                   *(
-                        (d.cp - d.cs)*c[i]*c[j]*perCC + (i == j ? d.cs : 0)
-                    );
-                rates[a*sR + k] += z;
-                rates[b*sR + k] += z;
-            }
-        }
-        wave *= share;
-        const scalar along = (halfZp - halfZs)*jc*perCC;
-
-        scalar s[D];
-        for (int i = 0; i < D; ++i)
-        {
-            s[i] = wave*(halfZs*jump[i] + along*c[i]);
-            rates[a*sR + i] += s[i];
-            rates[b*sR + i] -= s[i];
-        }
-
-        // Adjoint of the jump
-        scalar sx = 0;
-        for (int i = 0; i < D; ++i) sx += s[i]*dx[i];
-        const scalar left = leftOut*sx*m.perLength2;
-        for (int i = 0; i < D; ++i)
-        {
-            const scalar zi = -0.5*(s[i] - left*dx[i]);
-            for (int j = 0; j < D; ++j)
-            {
-                Xa[sT + j*sC + i] += zi*dx[j];
-                Xb[sT + j*sC + i] += zi*dx[j];
-            }
-        }
-    }
-}
-
-
-template<int D, bool finite>
-void variationalKernelTemplate<D, finite>::collectAdjoint
-(
-    variationalData& x,
-    const vertexData& d
-) const
-{
-    for (label a = 0; a < d.nNodes(); ++a)
-    {
-        scalar* A = x.adjoint.data() + a*2*sT;
-        scalar* Z = A + sT;
-        if constexpr (finite)
-        {
-            // Z (G x)^-T
-            const scalar* inverse = x.inverse.cdata() + a*nP;
-            scalar old[D][D];
-            for (int j = 0; j < D; ++j)
-            {
-                for (int i = 0; i < D; ++i) old[i][j] = Z[j*sC + i];
-            }
-            for (int j = 0; j < D; ++j)
-            {
-                for (int i = 0; i < D; ++i)
-                {
-                    scalar sum = 0;
-                    for (int k = 0; k < D; ++k)
-                    {
-                        sum += old[i][k]*inverse[j*D + k];
-                    }
-                    Z[j*sC + i] = sum;
-                }
-            }
-        }
-        for (int k = 0; k < sT; ++k) A[k] += Z[k];
-    }
-}
-
-
-template<int D, bool finite>
 void variationalKernelTemplate<D, finite>::stresses
 (
     variationalData& x,
     const vertexData& d
 ) const
 {
-    const scalar* V = d.dual.nodeVolume().cdata();
     const scalar* P = d.W.cdata() + d.offsetP();
-    for (label a = 0; a < d.nNodes(); ++a)
+    for (index a = 0; a < d.nNodes(); ++a)
     {
-        const scalar perV = 1/V[a];
-        const scalar* A = x.adjoint.cdata() + a*2*sT;
-        scalar* T = x.T.data() + a*sT;
+        const scalar perV = x.perV[a];
+        scalar* T = x.adjoint.data() + a*D*sA;
+        scalar Z[D][D];
         for (int j = 0; j < D; ++j)
         {
+            for (int i = 0; i < D; ++i) Z[i][j] = perV*T[j*sA + D + i];
+        }
+        if constexpr (finite)
+        {
+            // Z (G x)^-T
+            const scalar* inverse = x.inverse.cdata() + a*nP;
+            scalar old[D][D];
             for (int i = 0; i < D; ++i)
             {
-                T[j*sC + i] =
-                    P[a*d.strideW + j*D + i] + perV*A[j*sC + i];
+                for (int j = 0; j < D; ++j) old[i][j] = Z[i][j];
             }
-        }
-    }
-}
-
-
-template<int D, bool finite>
-template<int parts>
-void variationalKernelTemplate<D, finite>::forceLoop
-(
-    vertexData& d,
-    variationalData& x
-)
-{
-    const label* edge = d.dual.edgeNodes().cdata();
-    const scalar* area = d.edgeArea();
-    const scalar* V = d.dual.nodeVolume().cdata();
-    const scalar* T = x.T.cdata();
-    const scalar* A = x.adjoint.cdata();
-    const label nEdges = d.dual.nEdges();
-    const label sR = d.strideRates;
-    scalar* rates = d.rates.data();
-    scalar* part = x.dissipative.data();
-
-    // The dissipative part of T, times the volume
-    const auto partOf = [&](const label a, const int j, const int i)
-    {
-        return A[a*2*sT + sT + j*sC + i]/V[a];
-    };
-
-    if constexpr (parts == 2)
-    {
-        for (label a = 0; a < d.nNodes(); ++a)
-        {
-            for (int i = 0; i < D; ++i) part[a*D + i] += rates[a*sR + i];
-        }
-    }
-
-    for (label e = 0; e < nEdges; ++e)
-    {
-        const label a = edge[2*e], b = edge[2*e + 1];
-        const scalar* C = area + D*e;
-        row<wC> f{};
-        for (int j = 0; j < D; ++j)
-        {
-            f +=
-                (rowAt<wC>(T + a*sT + j*sC) + rowAt<wC>(T + b*sT + j*sC))
-               *(0.5*C[j]);
-        }
-        scalar force[wC];
-        rowAt<wC>(force) = f;
-        for (int i = 0; i < D; ++i)
-        {
-            rates[a*sR + i] += force[i];
-            rates[b*sR + i] -= force[i];
-        }
-        if constexpr (parts == 2)
-        {
             for (int i = 0; i < D; ++i)
             {
-                scalar sum = 0;
                 for (int j = 0; j < D; ++j)
                 {
-                    sum += 0.5*C[j]*(partOf(a, j, i) + partOf(b, j, i));
-                }
-                part[a*D + i] += sum;
-                part[b*D + i] -= sum;
-            }
-        }
-    }
-
-    const label nPairs = x.pairNodes.size()/2;
-    for (label p = 0; p < nPairs; ++p)
-    {
-        const label a = x.pairNodes[2*p], b = x.pairNodes[2*p + 1];
-        const scalar* B = x.pairArea.cdata() + D*p;
-        for (int i = 0; i < D; ++i)
-        {
-            scalar sum = 0, sumPart = 0;
-            for (int j = 0; j < D; ++j)
-            {
-                sum += B[j]*(T[a*sT + j*sC + i] - T[b*sT + j*sC + i]);
-                if constexpr (parts == 2)
-                {
-                    sumPart += B[j]*(partOf(a, j, i) - partOf(b, j, i));
+                    scalar sum = 0;
+                    for (int k = 0; k < D; ++k)
+                    {
+                        sum += old[i][k]*inverse[j*D + k];
+                    }
+                    Z[i][j] = sum;
                 }
             }
-            rates[a*sR + i] += sum;
-            rates[b*sR + i] -= sum;
-            if constexpr (parts == 2)
+        }
+        for (int j = 0; j < D; ++j)
+        {
+            for (int i = 0; i < D; ++i)
             {
-                part[a*D + i] += sumPart;
-                part[b*D + i] -= sumPart;
+                T[j*sA + i] =
+                    P[a*d.strideW + j*D + i] + perV*T[j*sA + i] + Z[i][j];
+                T[j*sA + D + i] = Z[i][j];
             }
         }
     }
-
-    for (label a = 0; a < d.nNodes(); ++a)
-    {
-        const scalar perV = 1/V[a];
-        for (int i = 0; i < D; ++i)
-        {
-            rates[a*sR + i] *= perV;
-            if constexpr (parts == 2) part[a*D + i] *= perV;
-        }
-    }
-}
-
-
-template<int D, bool finite>
-void variationalKernelTemplate<D, finite>::forces
-(
-    vertexData& d,
-    variationalData& x,
-    const bool energy
-) const
-{
-    energy ? forceLoop<2>(d, x) : forceLoop<1>(d, x);
-}
-
-
-template<int D, bool finite>
-scalar variationalKernelTemplate<D, finite>::jumpEnergy
-(
-    const vertexData& d,
-    const variationalData& x
-) const
-{
-    const label* edge = d.dual.edgeNodes().cdata();
-    const scalar* X = d.dual.nodePosition().cdata();
-    scalar energy = 0;
-    for (label e = 0; e < d.dual.nEdges(); ++e)
-    {
-        const label a = edge[2*e], b = edge[2*e + 1];
-        scalar jump[D], r[D];
-        for (int j = 0; j < D; ++j) r[j] = X[b*D + j] - X[a*D + j];
-        positionJump(x.U.cdata(), x.grad.cdata(), a, b, r, jump);
-        for (int i = 0; i < D; ++i)
-        {
-            energy += 0.5*x.jumpStiffness[e]*jump[i]*jump[i];
-        }
-    }
-    return energy;
 }
 
 
@@ -936,68 +369,150 @@ void variationalKernelTemplate<D, finite>::corners
 
 
 template<int D, bool finite>
-scalar variationalKernelTemplate<D, finite>::largestOf
+lanes variationalKernelTemplate<D, finite>::largestOf
 (
-    const scalar trace,
-    const scalar square
+    const lanes& trace,
+    const lanes& square
 )
 {
-    const scalar mean = trace/D;
-    return mean + std::sqrt(max(scalar(0), (square/D - mean*mean)*(D - 1)));
+    const lanes mean = (1.0/D)*trace;
+    return
+        mean
+      + squareRoot(max(lanes{}, ((1.0/D)*square - mean*mean)*scalar(D - 1)));
 }
 
 
 template<int D, bool finite>
-scalar variationalKernelTemplate<D, finite>::squaredFrequency
+lanes variationalKernelTemplate<D, finite>::squaredFrequency
 (
-    const vertexData& d,
-    const variationalData& x,
-    const label a
-) const
+    const lanes* K,
+    const lanes* F,
+    const lanes& factor,
+    const scalar cp
+)
 {
-    const scalar* K = x.geometricBound.cdata() + a*nK;
-    scalar undeformed = 0, most = 0;
-    for (int i = 0, k = 0; i < D; k += D - i, ++i) undeformed += K[k];
-    most = undeformed;
+    lanes most{};
+    for (int i = 0, k = 0; i < D; k += D - i, ++i) most += K[k];
     if constexpr (finite && D > 1)
     {
-        // K : H^T H
-        const SolidTensor<D> H = cofactor(loadF<D>(d.state.F.cdata(), a));
-        scalar deformed = 0;
+        // K : H^T H, H the cofactor of F
+        lanes H[D][D];
+        for (int i = 0; i < D; ++i)
+        {
+            for (int j = 0; j < D; ++j)
+            {
+                if constexpr (D == 2)
+                {
+                    H[i][j] = (i == j ? 1 : -1)*F[(1 - i)*2 + 1 - j];
+                }
+                else
+                {
+                    const int p = (i + 1) % 3, q = (i + 2) % 3;
+                    const int r = (j + 1) % 3, s = (j + 2) % 3;
+                    H[i][j] = F[3*p + r]*F[3*q + s] - F[3*p + s]*F[3*q + r];
+                }
+            }
+        }
+        lanes deformed{};
         for (int i = 0, k = 0; i < D; ++i)
         {
             for (int j = i; j < D; ++j, ++k)
             {
-                scalar HH = 0;
-                for (int m = 0; m < D; ++m) HH += H(m, i)*H(m, j);
-                deformed += (i == j ? 1 : 2)*HH*K[k];
+                lanes HH{};
+                for (int m = 0; m < D; ++m) HH += H[m][i]*H[m][j];
+                deformed += scalar(i == j ? 1 : 2)*HH*K[k];
             }
         }
         most = max(most, deformed);
     }
-    if (d.waveFactor.size()) most *= d.waveFactor[a]*d.waveFactor[a];
-    return d.cp*d.cp*most;
+    return cp*cp*factor*factor*most;
 }
 
 
 template<int D, bool finite>
-scalar variationalKernelTemplate<D, finite>::damping
+lanes variationalKernelTemplate<D, finite>::timeScales
 (
     const vertexData& d,
-    const label a
-) const
+    const variationalData& x,
+    const label first
+)
 {
-    scalar trace = 0, square = 0;
-    const scalar* z = d.rates.cdata() + a*d.strideRates + D;
+    const auto node = [&](const int l)
+    {
+        return index(min(first + label(l), d.nNodes() - 1));
+    };
+    lanes K[nK], F[nP], waves[nK];
+    const scalar* bound = x.geometricBound.cdata();
+    const scalar* w = d.rates.cdata() + variationalLayout::atWaves(D);
+    const scalar* f = d.state.F.cdata();
+    for (int k = 0; k < nK; ++k)
+    {
+        K[k] = lanesByOne([&](const int l) { return bound[node(l)*nK + k]; });
+        waves[k] = lanesByOne([&](const int l) { return w[node(l)*sR + k]; });
+    }
+    for (int k = 0; k < nP; ++k)
+    {
+        F[k] = lanesByOne([&](const int l) { return f[node(l)*nP + k]; });
+    }
+    const lanes perV =
+        lanesByOne([&](const int l) { return x.perV[node(l)]; });
+    const lanes factor = lanesByOne([&](const int l)
+    {
+        return d.waveFactor.size() ? d.waveFactor[node(l)] : scalar(1);
+    });
+    const lanes square = x.boundRatio*squaredFrequency(K, F, factor, d.cp);
+
+    lanes trace{}, squares{};
     for (int i = 0, k = 0; i < D; ++i)
     {
         for (int j = i; j < D; ++j, ++k)
         {
-            if (i == j) trace += z[k];
-            square += (i == j ? 1 : 2)*z[k]*z[k];
+            if (i == j) trace += waves[k];
+            squares += scalar(i == j ? 1 : 2)*waves[k]*waves[k];
         }
     }
-    return largestOf(trace, square)/d.dual.nodeVolume()[a];
+    lanes damping = 0.5*perV*largestOf(trace, squares);
+    if (x.smoothed)
+    {
+        // Of the waves of largest frequency half is in the differences
+        const lanes perH =
+            D == 1 ? perV
+          : D == 2 ? squareRoot(perV)
+          : reciprocal(inverseCubeRoot(perV));
+        damping +=
+            (0.125*x.volumeImpedance/(d.rho*d.cp*d.cp))*square*reciprocal(perH);
+    }
+    return 2*reciprocal(squareRoot(damping*damping + square) + damping);
+}
+
+
+template<int D, bool finite>
+scalar variationalKernelTemplate<D, finite>::timeScale
+(
+    const vertexData& d,
+    const variationalData& x,
+    const label node
+) const
+{
+    return timeScales(d, x, node)[0];
+}
+
+
+template<int D, bool finite>
+scalar variationalKernelTemplate<D, finite>::timeScale
+(
+    const vertexData& d,
+    const variationalData& x
+) const
+{
+    lanes least = uniform<lanes>(GREAT);
+    for (label a = 0; a < d.nNodes(); a += nLanes)
+    {
+        least = min(least, timeScales(d, x, a));
+    }
+    scalar shortest = GREAT;
+    for (int l = 0; l < nLanes; ++l) shortest = min(shortest, least[l]);
+    return shortest;
 }
 
 

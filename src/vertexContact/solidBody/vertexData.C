@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "vertexData.H"
+#include "variationalLayout.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -45,11 +46,11 @@ Foam::vertexData::vertexData
     strideG(paddedStride(nG)),
     strideRates
     (
-        paddedStride
+        variational
+      ? variationalLayout::strideRates(dual.nDim())
+      : paddedStride
         (
-            variational
-          ? dual.nDim() + dual.nDim()*(dual.nDim() + 1)/2
-          : dual.nDim() + nSJ + 1
+            dual.nDim() + nSJ + 1
           + (
                 reconstruction == reconstructionType::full
               ? dual.nDim()*dual.nDim() : 0

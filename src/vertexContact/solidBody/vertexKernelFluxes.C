@@ -13,104 +13,13 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "vertexKernelTemplate.H"
+#include "edgeRows.H"
 #include "vectorLimiter.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 namespace Foam
 {
-
-//- A row of n scalars of each of some edges, and each of them as lanes
-template<int n>
-class edgeRows
-{
-    static constexpr int stride = nLanes*((n + nLanes - 1)/nLanes);
-
-    alignas(registerBytes) scalar of_[nLanes][stride];
-    lanes as_[stride];
-
-
-public:
-
-    scalar* operator[](const int l) { return of_[l]; }
-
-    //- Lanes of the rows
-    void toLanes()
-    {
-        for (int k = 0; k < stride; k += nLanes)
-        {
-            lanes square[nLanes];
-            for (int l = 0; l < nLanes; ++l)
-            {
-                square[l] = reinterpret_cast<const lanes&>(of_[l][k]);
-            }
-            transpose(square);
-            for (int l = 0; l < nLanes; ++l) as_[k + l] = square[l];
-        }
-    }
-
-    lanes lane(const int k) const { return as_[k]; }
-
-    void set(const int k, const lanes& value) { as_[k] = value; }
-
-    //- Rows of the lanes that were set; those that were not, zero
-    void toRows()
-    {
-        for (int k = 0; k < stride; k += nLanes)
-        {
-            lanes square[nLanes];
-            for (int l = 0; l < nLanes; ++l)
-            {
-                square[l] = k + l < n ? as_[k + l] : lanes{};
-            }
-            transpose(square);
-            for (int l = 0; l < nLanes; ++l)
-            {
-                reinterpret_cast<lanes&>(of_[l][k]) = square[l];
-            }
-        }
-    }
-};
-
-
-//- Writes neighbouring rows in the order of their places: those of four
-//  scalars in pairs as wide as a register, which the transposition reads again
-//  at once. Read wider than it was written, memory has to be waited for
-class rowWriter
-{
-    scalar* to_;
-    row<4> latest_{};
-    int latestAt_ = -1;
-
-
-public:
-
-    explicit rowWriter(scalar* to) : to_(to) {}
-
-    template<int at, int w>
-    void put(const row<w>& r)
-    {
-        rowAt<w>(to_ + at) = r;
-        if constexpr (w == 4 && nLanes == 8)
-        {
-            if (at % 8 == 4 && latestAt_ == at - 4)
-            {
-                storePair(to_ + at - 4, latest_, r);
-            }
-            latest_ = r;
-            latestAt_ = at;
-        }
-    }
-
-    //- Rows of n scalars of a function of their places
-    template<int at, int w, int n, class Function>
-    void putAll(const scalar* from, const Function& f)
-    {
-        put<at, w>(f(from));
-        if constexpr (n > w) putAll<at + w, w, n - w>(from + w, f);
-    }
-};
-
 
 template<int D, int nSJ, reconstructionType R, bool finite>
 template<limiterType limiter, bool energy>
