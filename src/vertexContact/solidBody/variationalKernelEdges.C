@@ -163,6 +163,7 @@ public:
 
 template<int D, bool finite>
 template<bool differs>
+__attribute__((always_inline))
 inline void
 Foam::variationalKernelTemplate<D, finite>::edgeLanes<differs>::load
 (
@@ -261,6 +262,7 @@ struct edgeMotion
     lanes dx[D], jump[D];
     lanes perLength2, stretching, closing, jj, mm;
 
+    __attribute__((always_inline))
     explicit edgeMotion(const EdgeLanes& of)
     {
         lanes xx{}, along{}, jumpAlong{};
@@ -366,7 +368,6 @@ void variationalKernelTemplate<D, finite>::correctLoop
     lanes closing{};
     constexpr row<4> none[nLanes] = {};
 
-    edgeLanes<true> of;
     for (edgeBlocks block(d.dual); block.valid(); ++block)
     {
         block.ahead([&](const index b)
@@ -378,6 +379,7 @@ void variationalKernelTemplate<D, finite>::correctLoop
         });
         const label* ends = block.nodes();
         const scalar* C = areaOf(x, block.first());
+        edgeLanes<true> of;
         of.load(U, grad, ends, none);
         const edgeMotion<D, edgeLanes<true>> m(of);
         closing = max(closing, m.closing);
@@ -489,9 +491,9 @@ void variationalKernelTemplate<D, finite>::fluxLoop
     alignas(registerBytes) scalar sign[sR];
     for (int k = 0; k < sR; ++k) sign[k] = k < firstOfWaves ? -1 : 1;
 
-    edgeLanes<false> of;
     for (edgeBlocks block(d.dual); block.valid(); ++block)
     {
+        edgeLanes<false> of;
         block.ahead([&](const index b)
         {
             prefetch<sU>(U + b*sU);
