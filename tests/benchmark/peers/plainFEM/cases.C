@@ -154,7 +154,8 @@ void taylor(const settings& s)
         throw std::runtime_error("elements over the radius are even");
     }
     const mesh<3> m = quarterRod(s.elements/2, 9*s.elements);
-    body<3, HenckyVonMises> b(m, {8930, 117e9, 0.35, 0.4e9, 0.1e9}, s.viscosity);
+    const HenckyVonMises copper(8930, 117e9, 0.35, 0.4e9, 0.1e9);
+    body<3, HenckyVonMises> b(m, copper, s.viscosity);
     b.throwAlong(1, -227);
     for (std::size_t i = 0; i < m.points.size(); ++i)
     {

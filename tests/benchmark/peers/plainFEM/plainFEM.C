@@ -21,7 +21,8 @@ namespace
 const char* usage =
     "plainFEM CASE ELEMENTS [-co C] [-viscosity B] [-samples N] [-out FILE]\n"
     "plainFEM verify\n"
-    "    CASE        similar dissimilar rings incompressible nonMatching taylor\n"
+    "    CASE        similar dissimilar rings incompressible nonMatching\n"
+    "                taylor\n"
     "    ELEMENTS    along a bar, over the ring, the width, the radius (even)\n"
     "    -co         part of the largest stable step (0.9)\n"
     "    -viscosity  linear bulk viscosity (0.06)\n"

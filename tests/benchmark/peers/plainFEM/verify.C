@@ -349,7 +349,8 @@ void contactTest(const std::string& name, const Material& material)
 // * * * * * * * * * * * * * * * * * * Bars  * * * * * * * * * * * * * * * * //
 
 //- A free bar that swings in its first mode: with the step dt the lumped
-//  elements have sin(w dt/2) = c dt/h sin(k h/2), and u = dt V sin(w t)/sin w dt
+//  elements have sin(w dt/2) = c dt/h sin(k h/2), and the displacement of the
+//  end is dt V sin(w t)/sin(w dt)
 void standingWave()
 {
     const int n = 100, steps = 1000;
