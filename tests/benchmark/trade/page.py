@@ -131,8 +131,9 @@ def equalError(row, ours, compared, theirs):
             f"{other}{row['cost']/cost:.2g}"]
 
 
-def agreements():
-    """How far the references of both programs are apart."""
+def agreements(compared):
+    """How far the references of both programs are apart, and that of the
+    program to compare with from its next coarser mesh."""
     lines = []
     for name, case in CASES.items():
         found = peers.agreement(name)
@@ -141,9 +142,12 @@ def agreements():
                 [case.title, case.finest, str(peers.FINEST[name])]
                 + [percent(found[k]) for k in
                    ("error", "velocity", "force", "peak", "impulse",
-                    "energy")])
+                    "energy")]
+                + [f"{percent(r['own'])} ({r['mesh']:.0f})"
+                   for r in compared[name][-1:] if r["own"] != ""])
     return table(["case", "ours: mesh", f"{peers.TITLE}: elements", "error",
-                  "velocity", "force", "peak", "impulse", "energy"], lines)
+                  "velocity", "force", "peak", "impulse", "energy",
+                  f"{peers.TITLE}, coarser (elements): error"], lines)
 
 
 def before(tables):
@@ -267,7 +271,7 @@ PEERS = f"""## Against plain finite elements
 [`plainFEM`](peers/plainFEM/README.md) is what textbooks have: hexahedra and quadrangles with full integration and mean dilatation, central differences,
 kinematic contact with the plane of symmetry. It has no search, and of two equal bodies it computes one; its time counts twice then.
 
-The finest meshes of both programs agree so far (reference of `plainFEM` relative to ours):
+How far the references of both programs are apart, that of `plainFEM` relative to ours, and a coarser mesh of `plainFEM` relative to its own:
 """
 
 EQUAL = """At equal error, `balanced` on each mesh: what plain FEM costs with that error, between its meshes by powers of the error; ratio: cost of `balanced` over

@@ -12,8 +12,8 @@ Rows of trade.csv are replaced as their runs finish. -missing: only those that
 are not there; -only: variants whose label has that text; -page: no runs.
 -reference: the finest mesh with the preset 'accurate', whose histories are
 kept in reference/, and how far the next coarser mesh is from them.
--peers: instead of the solver, the programs of ../peers on their own meshes,
-with rows in peers.csv; those references have the program's name.
+-peers: instead of the solver, the plain finite elements of ../peers/plainFEM
+on meshes of their own, with rows in peers.csv and references of their own.
 
 The time of a run is divided by that of a small fixed case, which runs right
 before and after it: machines are faster at one time than at another.
@@ -164,7 +164,7 @@ def trade(names, jobs, missing, only):
 
 
 def runPeers(names):
-    """Run the programs to compare with on their meshes, one at a time."""
+    """Run the program to compare with on its meshes, one at a time."""
     table, calibration = peersTable(), Calibration()
     for name in names:
         for mesh in peers.MESHES[name]:
