@@ -9,6 +9,9 @@ import numpy as np
 from caseTools import checked
 from smallCases import RUBBER, Body, SmallCase
 
+# Runs shorter than this are repeated, and the fastest counts [s]
+SHORT = 0.3
+
 CELLS = 16
 STEPS = 40
 RATE = np.diag((0.1, -0.05, -0.05))

@@ -152,32 +152,47 @@ class TradeCase:
         """Histories that the case is to have, of which the file is kept."""
         return readResults.csv(references/f"{self.name}.csv")
 
+    @property
+    def peerFile(self):
+        return references/f"{self.name}-plainFEM.csv"
+
+    def peerReference(self):
+        """Histories of the finest mesh of ../peers/plainFEM; None where the
+        solution is known, or if they were not made."""
+        file = self.peerFile
+        return readResults.csv(file) if file.exists() else None
+
     def errors(self, case):
         """Of a run, relative to the reference."""
-        ours, right = self.histories(case), self.reference(case)
-        times = right["Time"]
+        energy = case.totalEnergy/case.totalEnergy[0]
+        ours, peer = self.histories(case), self.peerReference()
+        return {
+            **self.difference(ours, self.reference(case)),
+            **({"peer": self.difference(ours, peer)["error"]} if peer else {}),
+            "rise": np.max(energy - np.minimum.accumulate(energy)),
+            "penetration": max(
+                case.contact(interface)["relativePenetration"].max()
+                for interface, _ in self.sides)}
 
-        def L1(key):
-            return relativeL1(times, ours[key], right[key])
+    def difference(self, ours, right):
+        """Errors of histories, whoever wrote them, relative to others at the
+        same times; stresses if both have them."""
+        times = right["Time"]
 
         def off(a, b):
             return abs(a/b - 1)
 
         (parts, force), (_, rightForce) = map(meanForce, (ours, right))
-        energy = case.totalEnergy/case.totalEnergy[0]
         found = {
-            "velocity": L1("velocity"),
-            "stress": L1("stress"),
+            **{key: relativeL1(times, ours[key], right[key])
+               for key in ("velocity", "stress")
+               if key in ours and key in right},
             "force": relativeL1(parts, force, rightForce),
             "peak": off(np.abs(force).max(), np.abs(rightForce).max()),
             "impulse": off(ours["impulse"][-1], right["impulse"][-1]),
             # What is not lost: plastic work is not
             "energy": sum(ours[k][-1] - right[k][-1]
-                          for k in ("energy", "plasticWork")),
-            "rise": np.max(energy - np.minimum.accumulate(energy)),
-            "penetration": max(
-                case.contact(interface)["relativePenetration"].max()
-                for interface, _ in self.sides)}
+                          for k in ("energy", "plasticWork"))}
         found |= self.moreErrors(ours, right)
         found["error"] = np.mean([abs(found[k]) for k in COMBINED])
         return found

@@ -1,5 +1,7 @@
 """Which runs are worth their cost."""
 
+from math import log
+
 # Runs whose energy rises by more than this part of the initial one at some
 # time are not trusted, however small their error
 LARGEST_RISE = 1e-3
@@ -9,7 +11,7 @@ def numbers(rows):
     """Rows of runs that ended well, errors and costs as numbers."""
     found = []
     for row in rows:
-        if row["status"] == "done":
+        if row.get("status", "done") == "done":
             found.append({k: number(v) for k, v in row.items()})
     return found
 
@@ -39,3 +41,19 @@ def cheapest(rows, limit, error="error"):
     """The cheapest run with at most that error; None if there is none."""
     good = [r for r in trusted(rows) if r[error] <= limit]
     return min(good, key=lambda r: r["cost"], default=None)
+
+
+def atEqualError(rows, limit, error="error"):
+    """Cost with that error, by powers of it between the runs of the front, and
+    what it is: "" so much, ">" more than the run with the least error, "<" less
+    than the cheapest run."""
+    best = front([r for r in rows if r.get(error, "") != ""], error)
+    if not best:
+        return None, ""
+    if limit > best[0][error]:
+        return best[0]["cost"], "<"
+    for a, b in zip(best, best[1:]):
+        if limit >= b[error]:
+            part = log(a[error]/limit)/log(a[error]/b[error])
+            return a["cost"]*(b["cost"]/a["cost"])**part, ""
+    return best[-1]["cost"], ">" if limit < best[-1][error] else ""

@@ -5,8 +5,9 @@ import csv
 from math import log
 from pathlib import Path
 
+import peers
 from cases import CASES
-from front import LARGEST_RISE, cheapest, front, numbers
+from front import LARGEST_RISE, atEqualError, cheapest, front, numbers
 from picture import draw
 from variants import OPTIONS, PRESETS, isPreset, label, named
 
@@ -66,28 +67,87 @@ def presets(tables):
     return table(head, lines)
 
 
-def decisions(tables, error, what):
-    """The cheapest run that reaches each limit, and what that costs."""
+def decisions(tables, compared, error, what):
+    """The cheapest run that reaches each limit, what that costs, and what it
+    costs with the program to compare with."""
     lines = []
     for name, rows in tables.items():
-        last = None
+        last, calibration = None, rows[0]["calibration"]
         for limit in LIMITS:
             row = cheapest(rows, limit, error)
+            peer = cheapest(compared[name], limit, error)
+            if row:
+                calibration = row["calibration"]
+            other = [f"{peer['mesh']:.0f}", f"{peer['cost']*calibration:.2g}"] \
+                if peer else ["none", ""]
             if row is None:
                 lines.append([CASES[name].title, percent(limit),
-                              "none of the runs", "", "", ""])
+                              "none of the runs", "", "", "", *other])
                 break
             more = f"{row['cost']/last['cost']:.1f}" if last else ""
             line = [CASES[name].title, percent(limit), row["label"],
-                    percent(row[error]), f"{row['seconds']:.2g}", more]
+                    percent(row[error]), f"{row['seconds']:.2g}", more, *other]
             if row is last:
                 # It reaches the next limit, too
                 lines[-1][1] = percent(limit)
+                lines[-1][-2:] = other
             else:
                 lines.append(line)
             last = row
     return table(["case", f"{what} at most", "cheapest run", "it has",
-                  "seconds", "times the line above"], lines)
+                  "seconds", "times the line above",
+                  f"{peers.TITLE}: elements", "seconds"], lines)
+
+
+def equalErrors(tables, compared):
+    """Costs of balanced on all meshes over those of the program to compare
+    with, at the same error against either reference."""
+    lines = []
+    for name, rows in tables.items():
+        for row in onMeshes(CASES[name], rows, "balanced"):
+            line = [CASES[name].title, row["options"]["mesh"],
+                    f"{row['seconds']:.2g}"]
+            for ours, theirs in ("error", "error"), ("peer", "own"):
+                line += equalError(row, ours, compared[name], theirs)
+            lines.append(line)
+    return table(["case", "mesh", "seconds", "error",
+                  f"{peers.TITLE}: seconds", "ratio",
+                  f"error, reference of {peers.TITLE}",
+                  f"{peers.TITLE}: seconds", "ratio"], lines)
+
+
+def equalError(row, ours, compared, theirs):
+    """The error, the seconds of the program to compare with, and the ratio of
+    costs."""
+    if row.get(ours, "") == "":
+        return ["", "", ""]
+    cost, bound = atEqualError(compared, row[ours], theirs)
+    if cost is None:
+        return [percent(row[ours], 3), "", ""]
+    # Where it needs less, we take more times its cost
+    other = {"<": "> ", ">": "< ", "": ""}[bound]
+    return [percent(row[ours], 3),
+            f"{bound} {cost*row['calibration']:.2g}".strip(),
+            f"{other}{row['cost']/cost:.2g}"]
+
+
+def agreements(compared):
+    """How far the references of both programs are apart, and that of the
+    program to compare with from its next coarser mesh."""
+    lines = []
+    for name, case in CASES.items():
+        found = peers.agreement(name)
+        if found:
+            lines.append(
+                [case.title, case.finest, str(peers.FINEST[name])]
+                + [percent(found[k]) for k in
+                   ("error", "velocity", "force", "peak", "impulse",
+                    "energy")]
+                + [f"{percent(r['own'])} ({r['mesh']:.0f})"
+                   for r in compared[name][-1:] if r["own"] != ""])
+    return table(["case", "ours: mesh", f"{peers.TITLE}: elements", "error",
+                  "velocity", "force", "peak", "impulse", "energy",
+                  f"{peers.TITLE}, coarser (elements): error"], lines)
 
 
 def before(tables):
@@ -160,12 +220,12 @@ def runLine(row, unit):
         f"{row['steps']:.0f}", f"{row['us']:.3f}", f"{row['cost']/unit:.2f}"]
 
 
-def section(case, rows, stopped):
+def section(case, rows, peer, stopped):
     balanced = find(rows, named(case, "balanced", case.base))
     if not balanced:
         return f"## {case.title.capitalize()}\n\nNot run.\n"
     unit = balanced["cost"]
-    draw(case, rows, unit)
+    draw(case, rows, peer, unit)
     base = [r for r in rows if r["options"]["mesh"] == case.base]
     text = [f"## {case.title.capitalize()}\n",
             f"[`{case.tutorial}`](../../tutorials/{case.tutorial}/README.md), "
@@ -206,8 +266,25 @@ def reference(case, rows):
             f"{percent(row['force'])}, energy {percent(row['energy'])}).")
 
 
-def writePage(rows):
+PEERS = f"""## Against plain finite elements
+
+[`plainFEM`](peers/plainFEM/README.md) is what textbooks have: hexahedra and quadrangles with full integration and mean dilatation, central differences,
+kinematic contact with the plane of symmetry. It has no search, and of two equal bodies it computes one; its time counts twice then.
+
+How far the references of both programs are apart, that of `plainFEM` relative to ours, and a coarser mesh of `plainFEM` relative to its own:
+"""
+
+EQUAL = """At equal error, `balanced` on each mesh: what plain FEM costs with that error, between its meshes by powers of the error; ratio: cost of `balanced` over
+that. `<`: plain FEM needs less than its coarsest mesh, the ratio is larger; `>`: more than its finest mesh of these, the ratio is smaller. In seconds
+of the minute in which `balanced` ran. Errors are against our reference, then against that of plain FEM, for both programs.
+"""
+
+
+def writePage(rows, compared):
     rows = list(rows)
+    compared = numbers(compared)
+    compared = {name: [r for r in compared if r["case"] == name]
+                for name in CASES}
     done = numbers(rows)
     texts = [r for r in rows if r["status"] == "done"]
     for row, text in zip(done, texts):
@@ -225,13 +302,14 @@ def writePage(rows):
             before(tables),
             "## What an error costs\n",
             "The cheapest of all runs, on any mesh, with at most that error:"
-            "\n", decisions(tables, "error", "error"),
+            "\n", decisions(tables, compared, "error", "error"),
             "Half of the error by a finer mesh alone costs so many times as "
             "much:\n", halvings(tables),
             "For the peak of the contact force alone, which may be right by "
             "chance on a coarse mesh:\n",
-            decisions(tables, "peak", "error of the peak force")]
-    page += [section(CASES[name], found, [
+            decisions(tables, compared, "peak", "error of the peak force"),
+            PEERS, agreements(), EQUAL, equalErrors(tables, compared)]
+    page += [section(CASES[name], found, compared[name], [
         r for r in rows if r["case"] == name and r["status"] != "done"])
         for name, found in tables.items()]
     (here.parent/"trade.md").write_text("\n".join(page))

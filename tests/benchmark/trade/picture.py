@@ -7,13 +7,15 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
 from front import LARGEST_RISE, front
+from peers import TITLE
 from variants import PRESETS, isPreset
 
 here = Path(__file__).resolve().parent
 
 
-def draw(case, rows, unit):
-    """rows: numbers of one case; unit: cost of balanced on the base mesh."""
+def draw(case, rows, peer, unit):
+    """rows: numbers of one case; peer: those of the program to compare with;
+    unit: cost of balanced on the base mesh."""
     figure, axes = plt.subplots(figsize=(7.5, 5.5))
 
     def show(some, style, **more):
@@ -32,6 +34,14 @@ def draw(case, rows, unit):
                        and isPreset(case, r["options"])),
                       key=lambda r: r["cost"])
         show(mine, f"{marker}--", linewidth=1, label=preset)
+    for error, style, what in (("error", "P-", ""),
+                               ("own", "P:", ", against its own reference")):
+        mine = [r for r in peer if r.get(error, "") != ""]
+        if mine:
+            axes.plot([r["cost"]/unit for r in mine],
+                      [r[error] for r in mine], style, linewidth=1,
+                      color="tab:purple", label=TITLE + what,
+                      markerfacecolor="none" if what else None)
     # Their names are on the page; neighbours' numbers above and below
     for number, row in enumerate(best, 1):
         axes.annotate(str(number), (row["cost"]/unit, row["error"]),

@@ -5,12 +5,15 @@ a picture per case, and ../trade.md, which says what to choose.
     . etc/bashrc
     tests/benchmark/trade/trade.py [-jobs N] [-missing] [-only TEXT] [case ...]
     tests/benchmark/trade/trade.py -page
-    tests/benchmark/trade/trade.py -reference [case ...]
+    tests/benchmark/trade/trade.py [-peers] -reference [case ...]
+    tests/benchmark/trade/trade.py -peers [case ...]
 
 Rows of trade.csv are replaced as their runs finish. -missing: only those that
 are not there; -only: variants whose label has that text; -page: no runs.
 -reference: the finest mesh with the preset 'accurate', whose histories are
 kept in reference/, and how far the next coarser mesh is from them.
+-peers: instead of the solver, the plain finite elements of ../peers/plainFEM
+on meshes of their own, with rows in peers.csv and references of their own.
 
 The time of a run is divided by that of a small fixed case, which runs right
 before and after it: machines are faster at one time than at another.
@@ -34,24 +37,27 @@ sys.path[:0] = [str(here), str(root/"tests"/"verification"),
 import numpy as np
 
 import caseTools
-from calibration import Calibration
+import peers
+from calibration import SHORT, Calibration
 from cases import CASES, Stopped, references
 from variants import OPTIONS, label, named, variants
 
+# 'peer': the error against the reference of the program to compare with
 ERRORS = ("error", "velocity", "stress", "force", "peak", "impulse", "energy",
-          "rise", "penetration", "length", "radius", "plasticWork")
+          "rise", "penetration", "length", "radius", "plasticWork", "peer")
 COSTS = ("nodes", "steps", "seconds", "us", "calibration", "cost")
 COLUMNS = ("case", "label", *OPTIONS, *ERRORS, *COSTS, "status")
 caseTools.timeLimit = 4*3600
-# Runs shorter than this are repeated, and the fastest counts [s]
-SHORT = 0.3
 
 
 class Table:
-    """trade.csv, written whenever a row changes."""
+    """A file of rows, written whenever one changes. keys: columns that say
+    what was run."""
 
-    def __init__(self, file):
+    def __init__(self, file, columns, keys):
         self.file = file
+        self.columns = columns
+        self.keys = keys
         self.lock = threading.Lock()
         self.rows = {}
         if file.exists():
@@ -60,7 +66,7 @@ class Table:
                              for row in csv.DictReader(lines)}
 
     def key(self, row):
-        return tuple(row[k] for k in ("case", *OPTIONS))
+        return tuple(row[k] for k in self.keys)
 
     def put(self, row):
         with self.lock:
@@ -70,11 +76,19 @@ class Table:
                           key=lambda r: order.index(r["case"]))
             new = self.file.with_suffix(".new")
             with open(new, "w", newline="") as out:
-                writer = csv.DictWriter(out, COLUMNS, restval="",
+                writer = csv.DictWriter(out, self.columns, restval="",
                                         lineterminator="\n")
                 writer.writeheader()
                 writer.writerows(rows)
             new.replace(self.file)
+
+
+def tradeTable():
+    return Table(here/"trade.csv", COLUMNS, ("case", *OPTIONS))
+
+
+def peersTable():
+    return Table(here/"peers.csv", peers.COLUMNS, peers.KEYS)
 
 
 def stepCosts(log):
@@ -127,7 +141,7 @@ def measure(case, chosen, calibration):
 
 def trade(names, jobs, missing, only):
     """Run the variants of the cases."""
-    table = Table(here/"trade.csv")
+    table = tradeTable()
     work = [(CASES[name], chosen) for name in names
             for chosen in variants(CASES[name])
             if only in label(CASES[name], chosen)]
@@ -147,6 +161,17 @@ def trade(names, jobs, missing, only):
 
     with ThreadPoolExecutor(jobs) as pool:
         list(pool.map(do, work))
+
+
+def runPeers(names):
+    """Run the program to compare with on its meshes, one at a time."""
+    table, calibration = peersTable(), Calibration()
+    for name in names:
+        for mesh in peers.MESHES[name]:
+            row = peers.measure(name, mesh, calibration)
+            table.put(row)
+            print(row["program"], row["case"], row["mesh"], "| error",
+                  row["error"], "| cost", row["cost"], flush=True)
 
 
 def makeReference(case):
@@ -171,7 +196,7 @@ def main():
                         help=", ".join(CASES))
     parser.add_argument("-jobs", type=int, default=1)
     parser.add_argument("-only", default="")
-    for flag in "-missing", "-page", "-reference":
+    for flag in "-missing", "-page", "-reference", "-peers":
         parser.add_argument(flag, action="store_true")
     given = parser.parse_args()
     unknown = set(given.cases) - set(CASES)
@@ -181,12 +206,16 @@ def main():
     names = given.cases or list(CASES)
     if given.reference:
         for name in names:
-            if CASES[name].finest:
+            if CASES[name].finest and given.peers:
+                peers.makeReference(name)
+            elif CASES[name].finest:
                 makeReference(CASES[name])
+    elif given.peers:
+        runPeers(names)
     elif not given.page:
         trade(names, given.jobs, given.missing, given.only)
     from page import writePage
-    writePage(Table(here/"trade.csv").rows.values())
+    writePage(tradeTable().rows.values(), peersTable().rows.values())
 
 
 if __name__ == "__main__":
