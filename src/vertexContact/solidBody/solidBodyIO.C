@@ -148,7 +148,8 @@ void Foam::solidBody::readState()
 
     if (data_.variational)
     {
-        if (x_->acceleration.size())
+        // Also where this processor has no node of the body
+        if (d > 1)
         {
             const auto rush =
                 readIfPresent<vector>("acceleration", dimAcceleration);
@@ -370,7 +371,7 @@ void Foam::solidBody::write()
         "lm", dimDensity*dimVelocity,
         [&](const label a) { return expand(s.lm.cdata() + a*d); }
     );
-    if (data_.variational && x_->acceleration.size())
+    if (data_.variational && d > 1)
     {
         writeField<vector>
         (

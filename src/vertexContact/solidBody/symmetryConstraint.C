@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "symmetryConstraint.H"
+#include "solidTensor.H"
 #include "DynamicList.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -46,6 +47,53 @@ void Foam::symmetryConstraint::symmetrise
     }
 
     for (label k = 0; k < size; ++k) T[k] = 0.5*(T[k] + mirror[k]);
+}
+
+
+template<int D>
+void Foam::symmetryConstraint::symmetriseTensors
+(
+    scalar* data,
+    const label stride,
+    const labelUList& place
+) const
+{
+    forAll(nodes_, a)
+    {
+        scalar* p = data + nodes_[a]*stride;
+        scalar T[D][D];
+        for (int i = 0; i < D; ++i)
+        {
+            for (int j = 0; j < D; ++j) T[i][j] = p[place[i*D + j]];
+        }
+        for (label k = start_[a]; k < start_[a + 1]; ++k)
+        {
+            // The mean of T and (I - 2 n n) T (I - 2 n n)
+            const scalar* n = normals_.cdata() + k*D;
+            scalar Tn[D] = {}, nT[D] = {}, nTn = 0;
+            for (int i = 0; i < D; ++i)
+            {
+                for (int j = 0; j < D; ++j)
+                {
+                    Tn[i] += T[i][j]*n[j];
+                    nT[j] += n[i]*T[i][j];
+                }
+            }
+            for (int i = 0; i < D; ++i) nTn += n[i]*Tn[i];
+            for (int i = 0; i < D; ++i)
+            {
+                for (int j = 0; j < D; ++j)
+                {
+                    T[i][j] +=
+                        2*nTn*n[i]*n[j] - n[i]*nT[j] - Tn[i]*n[j];
+                }
+            }
+        }
+        for (int i = 0; i < D; ++i)
+        {
+            for (int j = 0; j < D; ++j) p[place[i*D + j]] = T[i][j];
+        }
+    }
 }
 
 
@@ -253,6 +301,14 @@ void Foam::symmetryConstraint::symmetrise
     const label rank
 ) const
 {
+    if (rank == 2)
+    {
+        withDirections(nDim_, [&](auto D)
+        {
+            symmetriseTensors<D.value>(data, stride, place);
+        });
+        return;
+    }
     const label n = place.size();
     FixedList<scalar, 27> T;
 

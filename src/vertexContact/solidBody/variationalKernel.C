@@ -82,6 +82,15 @@ Foam::variationalData::variationalData
 
 void Foam::variationalData::addPairs(const dualPatch& patch, const label nDim)
 {
+    label pair = pairNodes.size()/2, nPairs = pair;
+    for (label f = 0; f < patch.nFaces(); ++f)
+    {
+        const label nf = patch.faceStart[f + 1] - patch.faceStart[f];
+        nPairs += nf*(nf - 1)/2;
+    }
+    pairNodes.setSize(2*nPairs);
+    pairArea.setSize(nDim*nPairs);
+
     for (label f = 0; f < patch.nFaces(); ++f)
     {
         const label start = patch.faceStart[f];
@@ -90,18 +99,18 @@ void Foam::variationalData::addPairs(const dualPatch& patch, const label nDim)
             patch.weightVectors.cdata() + nDim*patch.weightStart[f];
         for (label p = 0; p < nf; ++p)
         {
-            for (label j = p + 1; j < nf; ++j)
+            for (label j = p + 1; j < nf; ++j, ++pair)
             {
                 const label a = patch.cornerNode[start + p];
                 const label b = patch.cornerNode[start + j];
-                pairNodes.append(min(a, b));
-                pairNodes.append(max(a, b));
+                pairNodes[2*pair] = min(a, b);
+                pairNodes[2*pair + 1] = max(a, b);
 
                 // Both nodes have the same weight of each other's value, of
                 // which either sees the difference
                 for (label i = 0; i < nDim; ++i)
                 {
-                    pairArea.append(w[nDim*(p*nf + j) + i]);
+                    pairArea[nDim*pair + i] = w[nDim*(p*nf + j) + i];
                 }
             }
         }

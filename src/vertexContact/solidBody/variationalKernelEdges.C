@@ -368,6 +368,37 @@ void variationalKernelTemplate<D, finite>::correctLoop
     lanes closing{};
     constexpr row<4> none[nLanes] = {};
 
+    // In 3D: sums of the first node, in registers as long as it is the same
+    struct
+    {
+        index node = -1;
+        scalar* toCorrection = nullptr;
+        scalar* toSensor = nullptr;
+        row<4> correction[3], sensor;
+
+        void load(const index a, scalar* c, scalar* s)
+        {
+            node = a;
+            toCorrection = c;
+            toSensor = s;
+            sensor = rowAt<4>(s);
+            for (int j = 0; corrects && j < 3; ++j)
+            {
+                correction[j] = rowAt<4>(c + j*4);
+            }
+        }
+
+        void store() const
+        {
+            if (node < 0) return;
+            rowAt<4>(toSensor) = sensor;
+            for (int j = 0; corrects && j < 3; ++j)
+            {
+                rowAt<4>(toCorrection + j*4) = correction[j];
+            }
+        }
+    } first;
+
     for (edgeBlocks block(d.dual); block.valid(); ++block)
     {
         block.ahead([&](const index b)
@@ -423,6 +454,14 @@ void variationalKernelTemplate<D, finite>::correctLoop
         {
             const index a = ends[2*l], b = ends[2*l + 1];
             const scalar* r = reinterpret_cast<const scalar*>(&rows[l]);
+            if constexpr (D == 3)
+            {
+                if (a != first.node)
+                {
+                    first.store();
+                    first.load(a, correction + a*sT, sensor + a*sS);
+                }
+            }
             if constexpr (corrects)
             {
                 if constexpr (D == 3)
@@ -430,7 +469,7 @@ void variationalKernelTemplate<D, finite>::correctLoop
                     for (int j = 0; j < D; ++j)
                     {
                         const row<4> f = rowAt<4>(r)*C[j*nLanes + l];
-                        rowAt<4>(correction + a*sT + j*sC) += f;
+                        first.correction[j] += f;
                         rowAt<4>(correction + b*sT + j*sC) -= f;
                     }
                 }
@@ -440,10 +479,18 @@ void variationalKernelTemplate<D, finite>::correctLoop
                     rowAt<sT>(correction + b*sT) -= rowAt<sT>(r);
                 }
             }
-            rowAt<4>(sensor + a*sS) += rowAt<4>(r + 4);
+            if constexpr (D == 3)
+            {
+                first.sensor += rowAt<4>(r + 4);
+            }
+            else
+            {
+                rowAt<4>(sensor + a*sS) += rowAt<4>(r + 4);
+            }
             rowAt<4>(sensor + b*sS) += rowAt<4>(r + 4);
         }
     }
+    first.store();
 
     x.closing = 0;
     for (int l = 0; l < nLanes; ++l) x.closing = max(x.closing, closing[l]);
@@ -490,6 +537,34 @@ void variationalKernelTemplate<D, finite>::fluxLoop
     constexpr int firstOfWaves = variationalLayout::atWaves(D);
     alignas(registerBytes) scalar sign[sR];
     for (int k = 0; k < sR; ++k) sign[k] = k < firstOfWaves ? -1 : 1;
+
+    // In 3D: sums of the first node, in registers as long as it is the same
+    struct
+    {
+        index node = -1;
+        scalar* toRates = nullptr;
+        scalar* toX = nullptr;
+        row<8> rates, X[3];
+        row<4> waves;
+
+        void load(const index a, scalar* r, scalar* x)
+        {
+            node = a;
+            toRates = r;
+            toX = x;
+            rates = rowAt<8>(r);
+            waves = rowAt<4>(r + 8);
+            for (int j = 0; j < 3; ++j) X[j] = rowAt<8>(x + j*8);
+        }
+
+        void store() const
+        {
+            if (node < 0) return;
+            rowAt<8>(toRates) = rates;
+            rowAt<4>(toRates + 8) = waves;
+            for (int j = 0; j < 3; ++j) rowAt<8>(toX + j*8) = X[j];
+        }
+    } first;
 
     for (edgeBlocks block(d.dual); block.valid(); ++block)
     {
@@ -792,9 +867,14 @@ void variationalKernelTemplate<D, finite>::fluxLoop
             {
                 const row<4> waves =
                     rowAt<4>(reinterpret_cast<scalar*>(&rowsRates[1][l]));
-                rowAt<8>(ra) += rowsRates[0][l];
+                if (a != first.node)
+                {
+                    first.store();
+                    first.load(a, ra, Xa);
+                }
+                first.rates += rowsRates[0][l];
+                first.waves += waves;
                 rowAt<8>(rb) += rowAt<8>(sign)*rowsRates[0][l];
-                rowAt<4>(ra + 8) += waves;
                 rowAt<4>(rb + 8) += waves;
 
                 constexpr row<8> byR = {1, 1, 1, 1, 1, 1, 0, 0};
@@ -811,12 +891,13 @@ void variationalKernelTemplate<D, finite>::fluxLoop
                         more[D + j] += rowsA[l][7];
                         less[D + j] -= rowsA[l][7];
                     }
-                    rowAt<8>(Xa + j*sA) += more;
+                    first.X[j] += more;
                     rowAt<8>(Xb + j*sA) += less;
                 }
             }
         }
     }
+    first.store();
 }
 
 
