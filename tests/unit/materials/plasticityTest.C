@@ -13,6 +13,8 @@ Description
 #include "testEnvironment.H"
 #include "materialPoint.H"
 #include "principalValues.H"
+#include <algorithm>
+#include <functional>
 #include "HenckyVonMises.H"
 
 using namespace Foam;
@@ -177,6 +179,53 @@ TEST_CASE
             }
         }
     }
+}
+
+
+TEST_CASE
+(
+    "principal values without directions are the same, in their order",
+    "[materials][serial]"
+)
+{
+    // Alone, double, triple
+    Random random(13);
+    for (label sample = 0; sample < 60; ++sample)
+    {
+        lanes in[9];
+        scalar right[nLanes][3];
+        for (int l = 0; l < nLanes; ++l)
+        {
+            const auto Q = rotation(random);
+            auto Qt = Q;
+            for (int i = 0; i < 3; ++i)
+            {
+                for (int j = 0; j < 3; ++j) Qt(i, j) = Q(j, i);
+            }
+            scalar* v = right[l];
+            for (int i = 0; i < 3; ++i) v[i] = 2 + randomScalar(random);
+            if (sample % 3 == 1) v[1] = v[l % 2 ? 0 : 2];
+            if (sample % 3 == 2) v[1] = v[2] = v[0] + (l ? 0 : 1e-10);
+            const auto A = times(Q, times(diagonal(v[0], v[1], v[2]), Qt));
+            for (int k = 0; k < 9; ++k) in[k][l] = A.in[k];
+            std::sort(v, v + 3, std::greater<scalar>());
+        }
+        const principalValues<3, lanes, false> p(in, lanes{});
+        for (int l = 0; l < nLanes; ++l)
+        {
+            for (int i = 0; i < 3; ++i)
+            {
+                INFO("sample " << sample << ", lane " << l << ", value " << i);
+                CHECK(mag(p.value[i][l] - right[l][i]) <= 1e-7);
+            }
+        }
+    }
+    const lanes plane[4] =
+        {uniform<lanes>(3), uniform<lanes>(2), uniform<lanes>(2), lanes{}};
+    const principalValues<2, lanes, false> p(plane, uniform<lanes>(7));
+    CHECK(mag(p.value[0][0] - 4) <= 1e-14);
+    CHECK(mag(p.value[1][0] + 1) <= 1e-14);
+    CHECK(p.value[2][0] == 7);
 }
 
 
