@@ -295,7 +295,7 @@ CASES = {case.name: case for case in (
         more=({"pairing": "AMI"}, {"pairing": "nearestFace"})),
     TradeCase(
         "nonMatching", "non-matching bars", "nonMatchingBars", base="2",
-        meshes=("1", "3", "4"), finest="6", region="bar2",
+        meshes=("1", "3", "4"), finest="10", region="bar2",
         # Of the free end: corners that touch converge much slower
         point=(0.0652, 0.0032, 0.0032), axis=0,
         sides=(("bars", "bar2.left"),), choices={"pairing": "AMI"},
@@ -303,6 +303,6 @@ CASES = {case.name: case for case in (
               {"preset": "paper", "transfer": "twoWay"})),
     Taylor(
         "taylor", "Taylor bar", "taylorBar", base="4", meshes=("2", "6"),
-        finest="8", region="rod", point=(0, 0.0324, 0), axis=1,
+        finest="12", region="rod", point=(0, 0.0324, 0), axis=1,
         sides=(("wall", "rod.foot"), ("mantle", "rod.mantle")),
         extra={"rim": (0.0032, 0, 0), "foot": (0, 0, 0)}))}
