@@ -374,7 +374,7 @@ void variationalKernelTemplate<D, finite>::correctLoop
         index node = -1;
         scalar* toCorrection = nullptr;
         scalar* toSensor = nullptr;
-        row<4> correction[3], sensor;
+        row<4> correction[3] = {}, sensor{};
 
         void load(const index a, scalar* c, scalar* s)
         {
@@ -544,8 +544,8 @@ void variationalKernelTemplate<D, finite>::fluxLoop
         index node = -1;
         scalar* toRates = nullptr;
         scalar* toX = nullptr;
-        row<8> rates, X[3];
-        row<4> waves;
+        row<8> rates{}, X[3] = {};
+        row<4> waves{};
 
         void load(const index a, scalar* r, scalar* x)
         {
