@@ -1,5 +1,6 @@
 """The presets in all cases of the trade: 'balanced' and 'accurate' have a smaller
-error than 'fast'; and each is the options that it stands for."""
+error than 'fast'; none is worse than its row of trade.csv by a tenth; and each
+is the options that it stands for."""
 
 import sys
 
@@ -11,7 +12,7 @@ sys.path.append(str(root/"tests"/"benchmark"/"trade"))
 
 from calibration import Calibration
 from cases import CASES, entry
-from trade import measure
+from trade import measure, tradeTable
 from variants import NAMES, PAPER, named
 
 # The cases of the trade, on the coarsest meshes that are not too coarse for
@@ -39,33 +40,28 @@ def calibration():
 
 @pytest.mark.parametrize("name", MESHES)
 def test_ranking(name, calibration, figures):
-    """One run after the other: their times count, the least of up to three
-    where another program may have been in the way of a short one."""
-    case = CASES[name]
-
-    def run():
-        rows = {preset: measure(case, named(case, preset, MESHES[name]),
-                                calibration) for preset in NAMES}
-        assert all(row["status"] == "done" for row in rows.values()), rows
-        return ({preset: float(row[what]) for preset, row in rows.items()}
-                for what in ("error", "cost", "rise"))
-
-    error, cost, rise = run()
-    for _ in range(2):
-        if cost["fast"] > 0.8*cost["accurate"]:
-            _, again, _ = run()
-            cost = {preset: min(cost[preset], again[preset])
-                    for preset in NAMES}
+    """Costs are not asserted, but steps: times depend on the machine."""
+    case, table = CASES[name], tradeTable()
+    rows = {preset: measure(case, named(case, preset, MESHES[name]),
+                            calibration) for preset in NAMES}
+    assert all(row["status"] == "done" for row in rows.values()), rows
+    error, steps, rise = (
+        {preset: float(row[what]) for preset, row in rows.items()}
+        for what in ("error", "steps", "rise"))
     with figures(f"presets, {case.title}") as f:
         f.atMost("error of balanced / fast", error["balanced"]/error["fast"],
                  1)
         f.atMost("error of accurate / fast", error["accurate"]/error["fast"],
                  1)
-        f.atMost("cost of fast / accurate", cost["fast"]/cost["accurate"], 0.8)
+        f.atMost("steps of fast / accurate", steps["fast"]/steps["accurate"],
+                 0.6)
         for preset in NAMES:
             # What contact has stored comes back
             f.atMost(f"{preset}: largest rise of the energy / initial",
                      rise[preset], 5e-3)
+            row = table.rows[name, *named(case, preset, MESHES[name]).values()]
+            f.atMost(f"{preset}: error / that of the trade",
+                     error[preset]/float(row["error"]), 1.1)
 
 
 def runs(case, folder, preset, scheme, control):

@@ -266,6 +266,26 @@ def reference(case, rows):
             f"{percent(row['force'])}, energy {percent(row['energy'])}).")
 
 
+def programs(tables):
+    """Rows of real programs beside the run of balanced on the same mesh."""
+    lines = []
+    for peer in peers.programs():
+        name, mesh = peer["case"], peer["mesh"]
+        cells = [CASES[name].title if name in CASES else name, mesh,
+                 peer["program"], f"{float(peer['nodes']):.0f}",
+                 f"{float(peer['seconds']):.2g}"
+                 + (" (from a part)" if peer["extrapolated"] == "yes" else ""),
+                 percent(float(peer["error"]), 3) if peer["error"] else ""]
+        row = name in tables and find(tables[name], named(
+            CASES[name], "balanced", mesh))
+        cells += [f"{row['seconds']:.2g}", percent(row["error"], 3),
+                  f"{float(peer['seconds'])/row['seconds']:.2g}"] \
+            if row else ["", "", ""]
+        lines.append(cells)
+    return table(["case", "mesh", "program", "nodes", "seconds", "error",
+                  "`balanced`: seconds", "error", "ratio"], lines)
+
+
 PEERS = f"""## Against plain finite elements
 
 [`plainFEM`](peers/plainFEM/README.md) is what textbooks have: hexahedra and quadrangles with full integration and mean dilatation, central differences,
@@ -277,6 +297,13 @@ How far the references of both programs are apart, that of `plainFEM` relative t
 EQUAL = """At equal error, `balanced` on each mesh: what plain FEM costs with that error, between its meshes by powers of the error; ratio: cost of `balanced` over
 that. `<`: plain FEM needs less than its coarsest mesh, the ratio is larger; `>`: more than its finest mesh of these, the ratio is smaller. In seconds
 of the minute in which `balanced` ran. Errors are against our reference, then against that of plain FEM, for both programs.
+"""
+
+
+PROGRAMS = """## Against real programs
+
+From packages, one thread, explicit, by [`peers`](peers/README.md), which says what each can do. Seconds are processor time; some are extrapolated from
+the difference of two short runs. Ratio: their time over that of `balanced` on the same mesh.
 """
 
 
@@ -309,6 +336,8 @@ def writePage(rows, compared):
             "chance on a coarse mesh:\n",
             decisions(tables, compared, "peak", "error of the peak force"),
             PEERS, agreements(), EQUAL, equalErrors(tables, compared)]
+    if peers.programs():
+        page += [PROGRAMS, programs(tables)]
     page += [section(CASES[name], found, compared[name], [
         r for r in rows if r["case"] == name and r["status"] != "done"])
         for name, found in tables.items()]

@@ -1,6 +1,7 @@
 """The program to compare with, the plain finite elements of ../peers/plainFEM:
 its runs of the cases, with errors and costs as those of the solver."""
 
+import csv
 import hashlib
 import re
 import shutil
@@ -100,6 +101,15 @@ def makeReference(name):
     """Run the finest mesh and keep its histories."""
     said = run(name, FINEST[name], CASES[name].peerFile)
     print(f"{name}, {NAME}: {said['seconds']:.0f} s", flush=True)
+
+
+def programs():
+    """Rows of real programs, which ../peers/calculix/run.py writes."""
+    file = sources.parent/"calculix.csv"
+    if not file.exists():
+        return []
+    with open(file) as lines:
+        return list(csv.DictReader(lines))
 
 
 def agreement(name):

@@ -7,7 +7,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
 from front import LARGEST_RISE, front
-from peers import TITLE
+from peers import TITLE, programs
 from variants import PRESETS, isPreset
 
 here = Path(__file__).resolve().parent
@@ -42,6 +42,12 @@ def draw(case, rows, peer, unit):
                       [r[error] for r in mine], style, linewidth=1,
                       color="tab:purple", label=TITLE + what,
                       markerfacecolor="none" if what else None)
+    calibration = rows[0]["calibration"]
+    real = [r for r in programs() if r["case"] == case.name and r["error"]]
+    if real:
+        axes.plot([float(r["seconds"])/calibration/unit for r in real],
+                  [float(r["error"]) for r in real], "X", color="tab:brown",
+                  label=real[0]["program"])
     # Their names are on the page; neighbours' numbers above and below
     for number, row in enumerate(best, 1):
         axes.annotate(str(number), (row["cost"]/unit, row["error"]),
