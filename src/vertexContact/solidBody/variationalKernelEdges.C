@@ -538,13 +538,15 @@ void variationalKernelTemplate<D, finite>::fluxLoop
     alignas(registerBytes) scalar sign[sR];
     for (int k = 0; k < sR; ++k) sign[k] = k < firstOfWaves ? -1 : 1;
 
-    // In 3D: sums of the first node, in registers as long as it is the same
+    // Sums of the first node, in registers as long as it is the same (in one
+    // dimension they are short)
+    constexpr int nX = D == 3 ? 3 : 1;
     struct
     {
         index node = -1;
         scalar* toRates = nullptr;
         scalar* toX = nullptr;
-        row<8> rates{}, X[3] = {};
+        row<8> rates{}, X[nX] = {};
         row<4> waves{};
 
         void load(const index a, scalar* r, scalar* x)
@@ -553,16 +555,16 @@ void variationalKernelTemplate<D, finite>::fluxLoop
             toRates = r;
             toX = x;
             rates = rowAt<8>(r);
-            waves = rowAt<4>(r + 8);
-            for (int j = 0; j < 3; ++j) X[j] = rowAt<8>(x + j*8);
+            if constexpr (D == 3) waves = rowAt<4>(r + 8);
+            for (int j = 0; j < nX; ++j) X[j] = rowAt<8>(x + j*8);
         }
 
         void store() const
         {
             if (node < 0) return;
             rowAt<8>(toRates) = rates;
-            rowAt<4>(toRates + 8) = waves;
-            for (int j = 0; j < 3; ++j) rowAt<8>(toX + j*8) = X[j];
+            if constexpr (D == 3) rowAt<4>(toRates + 8) = waves;
+            for (int j = 0; j < nX; ++j) rowAt<8>(toX + j*8) = X[j];
         }
     } first;
 
@@ -847,6 +849,14 @@ void variationalKernelTemplate<D, finite>::fluxLoop
             scalar* rb = rates + b*sR;
             scalar* Xa = adjoint + a*D*sA;
             scalar* Xb = adjoint + b*D*sA;
+            if constexpr (D > 1)
+            {
+                if (a != first.node)
+                {
+                    first.store();
+                    first.load(a, ra, Xa);
+                }
+            }
             if constexpr (D == 1)
             {
                 const scalar* r =
@@ -858,20 +868,15 @@ void variationalKernelTemplate<D, finite>::fluxLoop
             }
             else if constexpr (D == 2)
             {
-                rowAt<8>(ra) += rowsRates[0][l];
+                first.rates += rowsRates[0][l];
                 rowAt<8>(rb) += rowAt<8>(sign)*rowsRates[0][l];
-                rowAt<8>(Xa) += rowsA[l];
+                first.X[0] += rowsA[l];
                 rowAt<8>(Xb) += rowsB[l];
             }
             else
             {
                 const row<4> waves =
                     rowAt<4>(reinterpret_cast<scalar*>(&rowsRates[1][l]));
-                if (a != first.node)
-                {
-                    first.store();
-                    first.load(a, ra, Xa);
-                }
                 first.rates += rowsRates[0][l];
                 first.waves += waves;
                 rowAt<8>(rb) += rowAt<8>(sign)*rowsRates[0][l];
