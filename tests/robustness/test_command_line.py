@@ -15,14 +15,14 @@ LISTS = {"listMaterials", "listContactLaws", "listPairings",
          "listPresets", "listIntegrators", "listFunctionObjects"}
 
 
-def bars(path, **control):
+def bars(path, cells=20, **control):
     """Two linear elastic bars in a row that hit each other."""
     touching = condition("contact")
     return SmallCase(
         path, [
-            Body((20,), "left", sides={"right": touching},
+            Body((cells,), "left", sides={"right": touching},
                  velocity=(0.1, 0, 0), material=ELASTIC),
-            Body((20,), "right", start=(1.01, 0, 0), sides={"left": touching},
+            Body((cells,), "right", start=(1.01, 0, 0), sides={"left": touching},
                  velocity=(-0.1, 0, 0), material=ELASTIC)],
         endTime=1, interfaces={"bars": interface(("left", "right"),
                                                  ("right", "left"))},
@@ -322,3 +322,34 @@ def test_library_of_a_user(tmp_path):
     for output in byOption, listed("listBodyForces", tmp_path):
         assert re.search(rf"(?m)^{library}$", output), output
         assert re.search(r"(?m)^    amplitude +\[m\]", output), output
+
+
+@pytest.mark.parametrize("ranks", (1, 2))
+@pytest.mark.parametrize("preset", (DEFAULT, "paper"))
+def test_profile(preset, ranks, tmp_path):
+    """The passes are the steps, and nothing else changes."""
+    case = bars(tmp_path/"case", cells=200, preset=preset)
+    if ranks > 1:
+        case.decompose(ranks)
+    command = ["vertexContactFoam"]
+    if ranks > 1:
+        command = ["mpirun", "-np", str(ranks), *command, "-parallel"]
+    plain = checked(command, case.path)
+    assert "Passes" not in plain
+    shutil.rmtree(case.path/"postProcessing")
+    for folder in [case.path, *case.path.glob("processor*")]:
+        for time in folder.glob("[0-9]*"):
+            if float(time.name) > 0:
+                shutil.rmtree(time)
+    output = checked([*command, "-profile"], case.path)
+    assert steps(output) == steps(plain)
+    passes = {name: (float(us), float(share)) for name, us, share in re.findall(
+        r"\n    ([a-z ]+): (\S+), (\S+) %", output)}
+    # Ranks wait for each other: what is short may be below what is shown
+    expected = {"gradients", "fluxes", "stress", "update", "other"} \
+        if ranks == 1 else {"processors", "other"}
+    assert expected <= set(passes), output
+    assert abs(sum(share for _, share in passes.values()) - 100) < 1.5, passes
+    us = number(r"\nSteps: .* s, (\S+) us", output)
+    assert abs(sum(us for us, _ in passes.values()) - us) < 0.02*us
+    assert 0 < number(r"on a core, (\S+) of what", output) < 2

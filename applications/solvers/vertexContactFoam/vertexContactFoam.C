@@ -50,6 +50,7 @@ Usage
 #include "solidSystem.H"
 #include "writtenTimes.H"
 #include "modelLists.H"
+#include "passTimes.H"
 
 using namespace Foam;
 
@@ -73,6 +74,12 @@ int main(int argc, char *argv[])
         "Read the case and report what is modelled, memory, step, number of "
         "steps and estimated run time; write nothing"
     );
+    argList::addBoolOption
+    (
+        "profile",
+        "End the log with the times of the passes of a step, and their share "
+        "of the bandwidth of the memory"
+    );
     modelLists::addOptions();
 
     #include "setRootCase.H"
@@ -80,6 +87,11 @@ int main(int argc, char *argv[])
     if (modelLists::write(args, Info))
     {
         return 0;
+    }
+
+    if (args.found("profile"))
+    {
+        passTimes::want();
     }
 
     const bool dry = args.found("dry-run");

@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "solidBody.H"
+#include "passTimes.H"
 #include "fileError.H"
 #include "Time.H"
 #include "emptyPolyPatch.H"
@@ -633,30 +634,39 @@ void Foam::solidBody::prepare(const scalar time, const bool moved)
     }
     if (moved)
     {
-        material_->stress
-        (
-            data_.state,
-            data_.W.data() + data_.offsetP(),
-            data_.nSJ ? data_.W.data() + data_.nDim() : nullptr,
-            data_.strideW
-        );
+        passTimes::timed(passTimes::stress, [&]
+        {
+            material_->stress
+            (
+                data_.state,
+                data_.W.data() + data_.offsetP(),
+                data_.nSJ ? data_.W.data() + data_.nDim() : nullptr,
+                data_.strideW
+            );
+        });
         if (stretchedWaves_)
         {
-            material_->waveFactors(data_.state, data_.waveFactor);
+            passTimes::timed(passTimes::waveSpeeds, [&]
+            {
+                material_->waveFactors(data_.state, data_.waveFactor);
+            });
         }
     }
 
-    forAll(corners_, patchi)
+    passTimes::timed(passTimes::boundaries, [&]
     {
-        if (corners_.set(patchi))
+        forAll(corners_, patchi)
         {
-            cornerStates& c = corners_[patchi];
-            data_.variational
-          ? variational_->corners(data_, c)
-          : kernel_->corners(data_, c);
-            condition(patchi).solve(time, c);
+            if (corners_.set(patchi))
+            {
+                cornerStates& c = corners_[patchi];
+                data_.variational
+              ? variational_->corners(data_, c)
+              : kernel_->corners(data_, c);
+                condition(patchi).solve(time, c);
+            }
         }
-    }
+    });
 
     if (hasContact_)
     {
@@ -697,12 +707,13 @@ void Foam::solidBody::computeFluxes(const bool energy)
     }
 
     // Pass A: gradients, and nodes
-    computeGradients();
+    typedef passTimes times;
+    times::timed(times::gradients, [&] { computeGradients(); });
 
     // Pass B: limiter and fluxes
     data_.numericalDissipation = 0;
     powers_ = powers();
-    kernel_->fluxes(data_, energy);
+    times::timed(times::fluxes, [&] { kernel_->fluxes(data_, energy); });
     for (const dualPatch& patch : dual_.patches())
     {
         const label patchi = patch.patchIndex;
@@ -717,7 +728,10 @@ void Foam::solidBody::computeFluxes(const bool energy)
         }
     }
     powers_.numericalDissipation = data_.numericalDissipation;
-    dual_.sharing().sum(data_.rates.data(), data_.strideRates);
+    times::timed(times::processors, [&]
+    {
+        dual_.sharing().sum(data_.rates.data(), data_.strideRates);
+    });
 }
 
 
@@ -834,7 +848,10 @@ Foam::label Foam::solidBody::advance
 )
 {
     data_.state.sinceCommit = sinceCommit;
-    return kernel_->advance(data_, deltaT, oldWeight, part);
+    return passTimes::timed(passTimes::update, [&]
+    {
+        return kernel_->advance(data_, deltaT, oldWeight, part);
+    });
 }
 
 

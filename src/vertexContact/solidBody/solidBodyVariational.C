@@ -13,6 +13,7 @@ Description
 #include "solidBody.H"
 #include "solidBoundaryCondition.H"
 #include "largestEigenvalue.H"
+#include "passTimes.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -146,32 +147,51 @@ void Foam::solidBody::deform()
     const label sC = variationalLayout::strideC(d);
     const label sS = variationalLayout::strideSensor;
 
-    nBad_ = variational_->collect(data_, x);
-    variational_->gradients(x, data_);
-    dual_.sharing().sum(x.grad.data(), d*sA);
-    completeTensors(x.grad.data(), d*sA, sA, 0);
-    completeTensors(x.grad.data(), d*sA, sA, d);
-    nBad_ += variational_->deform(x, data_);
+    typedef passTimes times;
+    nBad_ = times::timed(times::velocities, [&]
+    {
+        return variational_->collect(data_, x);
+    });
+    times::timed(times::gradients, [&] { variational_->gradients(x, data_); });
+    times::timed(times::processors, [&]
+    {
+        dual_.sharing().sum(x.grad.data(), d*sA);
+    });
+    nBad_ += times::timed(times::inverses, [&]
+    {
+        completeTensors(x.grad.data(), d*sA, sA, 0);
+        completeTensors(x.grad.data(), d*sA, sA, d);
+        return variational_->deform(x, data_);
+    });
 
-    variational_->correct(x, data_);
-    if (x.beta > 0)
+    times::timed(times::corrections, [&] { variational_->correct(x, data_); });
+    times::timed(times::processors, [&]
     {
-        dual_.sharing().sum
-        (
-            {{x.correction.data(), d*sC}, {x.sensor.data(), sS}}
-        );
-        completeTensors(x.correction.data(), d*sC, sC, 0);
-    }
-    else
+        if (x.beta > 0)
+        {
+            dual_.sharing().sum
+            (
+                {{x.correction.data(), d*sC}, {x.sensor.data(), sS}}
+            );
+        }
+        else
+        {
+            dual_.sharing().sum(x.sensor.data(), sS);
+        }
+    });
+    nBad_ += times::timed(times::kinematics, [&]
     {
-        dual_.sharing().sum(x.sensor.data(), sS);
-    }
-    nBad_ += variational_->kinematics(data_, x);
+        if (x.beta > 0) completeTensors(x.correction.data(), d*sC, sC, 0);
+        return variational_->kinematics(data_, x);
+    });
 
     if (x.smoothed)
     {
-        smoothJacobian();
-        data_.state.J = x.jacobian;
+        times::timed(times::volume, [&]
+        {
+            smoothJacobian();
+            data_.state.J = x.jacobian;
+        });
     }
 }
 
@@ -261,20 +281,33 @@ void Foam::solidBody::computeForces(const bool energy)
     const label d = dual_.nDim();
     const label sA = variationalLayout::strideColumn(d);
 
+    typedef passTimes times;
     if (x.smoothed)
     {
         // SigmaJ where it acts, S SigmaJ, in place of that of the smoothed J
-        forAll(x.jacobian, a) x.jacobian[a] = data_.W[a*data_.strideW + d];
-        smoothJacobian();
-        variational_->addPressure(data_, x);
+        times::timed(times::volume, [&]
+        {
+            forAll(x.jacobian, a)
+            {
+                x.jacobian[a] = data_.W[a*data_.strideW + d];
+            }
+            smoothJacobian();
+            variational_->addPressure(data_, x);
+        });
     }
 
-    variational_->fluxes(data_, x);
-    dual_.sharing().sum(x.adjoint.data(), d*sA);
-    completeTensors(x.adjoint.data(), d*sA, sA, 0);
-    completeTensors(x.adjoint.data(), d*sA, sA, d);
-    variational_->stresses(x, data_);
-    variational_->forces(data_, x);
+    times::timed(times::fluxes, [&] { variational_->fluxes(data_, x); });
+    times::timed(times::processors, [&]
+    {
+        dual_.sharing().sum(x.adjoint.data(), d*sA);
+    });
+    times::timed(times::adjoint, [&]
+    {
+        completeTensors(x.adjoint.data(), d*sA, sA, 0);
+        completeTensors(x.adjoint.data(), d*sA, sA, d);
+        variational_->stresses(x, data_);
+    });
+    times::timed(times::forces, [&] { variational_->forces(data_, x); });
 
     externalForce_ = Zero;
     bool loaded = false;
@@ -300,7 +333,10 @@ void Foam::solidBody::computeForces(const bool energy)
         scalar* rate = data_.rates.data() + a*data_.strideRates;
         for (label i = 0; i < d; ++i) rate[i] += externalForce_[a*d + i];
     }
-    dual_.sharing().sum(data_.rates.data(), data_.strideRates);
+    times::timed(times::processors, [&]
+    {
+        dual_.sharing().sum(data_.rates.data(), data_.strideRates);
+    });
 }
 
 

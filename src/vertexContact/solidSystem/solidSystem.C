@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "solidSystem.H"
+#include "passTimes.H"
 #include "dictionaryCheck.H"
 #include "fileError.H"
 #include "writtenTimes.H"
@@ -195,12 +196,15 @@ void Foam::solidSystem::evaluateForces(const scalar time)
     // of what the first one will be (leap)
     const auto solve = [&](const scalar deltaT)
     {
-        for (solidBody& body : bodies_)
+        passTimes::timed(passTimes::contact, [&]
         {
-            body.setContactStep(deltaT);
-            body.predictCorners();
-        }
-        solveContact(time, true);
+            for (solidBody& body : bodies_)
+            {
+                body.setContactStep(deltaT);
+                body.predictCorners();
+            }
+            solveContact(time, true);
+        });
     };
     const scalar lastStep = bodies_[0].lastStep();
     solve(lastStep);
@@ -228,7 +232,10 @@ Foam::scalar Foam::solidSystem::stableStep()
     scalar shortest = GREAT;
     forAll(bodies_, i)
     {
-        bodyStep_[i] = bodies_[i].timeScale();
+        bodyStep_[i] = passTimes::timed(passTimes::stableStep, [&]
+        {
+            return bodies_[i].timeScale();
+        });
         shortest = min(shortest, bodyStep_[i]);
     }
     if (integrator_.leapfrog())
@@ -320,7 +327,10 @@ void Foam::solidSystem::leap(const scalar time)
     const scalar middle = 0.5*(bodies_[0].lastStep() + deltaT);
     forAll(bodies_, i)
     {
-        bodies_[i].leap(startOfStep_, deltaT, energiesOn_, accounts_[i]);
+        passTimes::timed(passTimes::update, [&]
+        {
+            bodies_[i].leap(startOfStep_, deltaT, energiesOn_, accounts_[i]);
+        });
     }
     for (contactInterface& contact : interfaces_)
     {
@@ -375,7 +385,10 @@ void Foam::solidSystem::settle(const label nBad)
 
     forAll(bodies_, i)
     {
-        accounts_[i].plastic += bodies_[i].commitPlasticity();
+        accounts_[i].plastic += passTimes::timed(passTimes::plasticity, [&]
+        {
+            return bodies_[i].commitPlasticity();
+        });
     }
 }
 

@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "solidSystem.H"
+#include "passTimes.H"
 #include "dictionaryCheck.H"
 #include "writtenTimes.H"
 #include "IOdictionary.H"
@@ -617,6 +618,16 @@ void Foam::solidSystem::reportCost(OSstream& os) const
         os  << "Steps: " << steps_ << " in " << stepSeconds_ << " s, "
             << 1e6*stepSeconds_/(scalar(steps_)*nodes)
             << " us per node and step" << nl << nl;
+        if (passTimes::wanted())
+        {
+            scalar bytes = 0;
+            for (const solidBody& body : bodies_) bytes += body.bytes();
+            reduce(bytes, sumOp<scalar>());
+            passTimes::report
+            (
+                os, stepSeconds_, scalar(steps_)*nodes, bytes/nodes
+            );
+        }
     }
 
     if (steps_ && bodies_.size() > 1)
