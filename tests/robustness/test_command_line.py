@@ -328,7 +328,7 @@ def test_library_of_a_user(tmp_path):
 @pytest.mark.parametrize("preset", (DEFAULT, "paper"))
 def test_profile(preset, ranks, tmp_path):
     """The passes are the steps, and nothing else changes."""
-    case = bars(tmp_path/"case", cells=200, preset=preset)
+    case = bars(tmp_path/"case", cells=200//ranks**2, preset=preset)
     if ranks > 1:
         case.decompose(ranks)
     command = ["vertexContactFoam"]
