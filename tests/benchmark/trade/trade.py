@@ -6,7 +6,7 @@ a picture per case, and ../trade.md, which says what to choose.
     tests/benchmark/trade/trade.py [-jobs N] [-missing] [-only TEXT] [case ...]
     tests/benchmark/trade/trade.py -page
     tests/benchmark/trade/trade.py [-peers] -reference [case ...]
-    tests/benchmark/trade/trade.py -peers [case ...]
+    tests/benchmark/trade/trade.py -peers [-program NAME] [case ...]
 
 Rows of trade.csv are replaced as their runs finish. -missing: only those that
 are not there; -only: variants whose label has that text; -page: no runs.
@@ -14,6 +14,7 @@ are not there; -only: variants whose label has that text; -page: no runs.
 kept in reference/, and how far the next coarser mesh is from them.
 -peers: instead of the solver, the plain finite elements of ../peers/plainFEM
 on meshes of their own, with rows in peers.csv and references of their own.
+-program: another of ../peers, which ../peers/install gets.
 
 The time of a run is divided by that of a small fixed case, which runs right
 before and after it: machines are faster at one time than at another.
@@ -163,12 +164,13 @@ def trade(names, jobs, missing, only):
         list(pool.map(do, work))
 
 
-def runPeers(names):
-    """Run the program to compare with on its meshes, one at a time."""
+def runPeers(names, program):
+    """Run a program to compare with on its meshes, one at a time."""
     table, calibration = peersTable(), Calibration()
+    meshes = peers.meshes(program)
     for name in names:
-        for mesh in peers.MESHES[name]:
-            row = peers.measure(name, mesh, calibration)
+        for mesh in meshes.get(name, ()):
+            row = peers.measure(name, mesh, calibration, program)
             table.put(row)
             print(row["program"], row["case"], row["mesh"], "| error",
                   row["error"], "| cost", row["cost"], flush=True)
@@ -196,6 +198,8 @@ def main():
                         help=", ".join(CASES))
     parser.add_argument("-jobs", type=int, default=1)
     parser.add_argument("-only", default="")
+    parser.add_argument("-program", default=peers.NAME,
+                        choices=(peers.NAME, *peers.PACKAGED))
     for flag in "-missing", "-page", "-reference", "-peers":
         parser.add_argument(flag, action="store_true")
     given = parser.parse_args()
@@ -211,7 +215,7 @@ def main():
             elif CASES[name].finest:
                 makeReference(CASES[name])
     elif given.peers:
-        runPeers(names)
+        runPeers(names, given.program)
     elif not given.page:
         trade(names, given.jobs, given.missing, given.only)
     from page import writePage
