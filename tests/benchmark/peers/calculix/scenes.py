@@ -55,7 +55,9 @@ def column(n):
         mesh, neoHooke(E, nu), rho,
         np.stack([omega*Z, 0*Y, -omega*X], 1),
         tuple((base, d) for d in range(3)), 0.1,
-        0.5/n/waves(E, nu, rho), 1, {"probe": mesh.nearest((0.5, 6, 0.5))})
+        0.5/n/waves(E, nu, rho), 0, {"probe": mesh.nearest((0.5, 6, 0.5))},
+        # More would be more steps
+        samples=20)
 
 
 def rings(n):
