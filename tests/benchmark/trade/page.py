@@ -161,10 +161,11 @@ def programs(tables, packaged):
                     f"{row['mesh']:.0f}", f"{row['seconds']:.2g}",
                     f"{row['us']:.2g}", percent(row["error"], 3)]
             cost, bound = atEqualError(ours, row["error"])
-            other = {"<": "> ", ">": "< ", "": ""}[bound]
-            lines.append(line + [
-                f"{bound} {cost*row['calibration']:.2g}".strip(),
-                f"{other}{row['cost']/cost:.2g}"])
+            if cost is not None:
+                other = {"<": "> ", ">": "< ", "": ""}[bound]
+                line += [f"{bound} {cost*row['calibration']:.2g}".strip(),
+                         f"{other}{row['cost']/cost:.2g}"]
+            lines.append(line + [""]*(8 - len(line)))
     return table(["case", "program", "mesh", "seconds",
                   "µs per node and step", "error",
                   "`balanced` at this error: seconds", "ratio"], lines)

@@ -41,6 +41,10 @@ COLUMNS = (*KEYS, "error", "own", "velocity", "force", "peak", "impulse",
            "steps", "seconds", "us", "calibration", "cost")
 
 
+class Failed(RuntimeError):
+    """A program from a package did not end well."""
+
+
 def program():
     """The program, compiled if there is none of these sources for this
     processor."""
@@ -93,9 +97,12 @@ def oncePackaged(program, name, mesh):
     folder = str(sources.parent/program)
     if folder not in sys.path:
         sys.path.append(folder)
-    # Imported late: its modules need not be there for the others
+    # Its modules are of no use to the others
     import calculix
-    histories, said = calculix.run(name, mesh)
+    try:
+        histories, said = calculix.run(name, mesh)
+    except calculix.Failed as stop:
+        raise Failed(f"{program} {name} {mesh}: {stop}") from None
     case = CASES[name]
     right = case.reference(Case(root/"tutorials"/case.tutorial))
     return {**case.difference(histories, right), "rise": said["rise"]}, \

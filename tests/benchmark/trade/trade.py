@@ -165,12 +165,17 @@ def trade(names, jobs, missing, only):
 
 
 def runPeers(names, program):
-    """Run a program to compare with on its meshes, one at a time."""
+    """Run a program to compare with on its meshes, one at a time. One that
+    ends badly leaves no row."""
     table, calibration = peersTable(), Calibration()
     meshes = peers.meshes(program)
     for name in names:
         for mesh in meshes.get(name, ()):
-            row = peers.measure(name, mesh, calibration, program)
+            try:
+                row = peers.measure(name, mesh, calibration, program)
+            except peers.Failed as stop:
+                print(stop, flush=True)
+                continue
             table.put(row)
             print(row["program"], row["case"], row["mesh"], "| error",
                   row["error"], "| cost", row["cost"], flush=True)
@@ -207,6 +212,8 @@ def main():
     if unknown:
         parser.error(f"no case {', '.join(unknown)}; there are "
                      + ", ".join(CASES))
+    if given.program != peers.NAME and (given.reference or not given.peers):
+        parser.error("-program needs -peers, and has no reference")
     names = given.cases or list(CASES)
     if given.reference:
         for name in names:

@@ -8,6 +8,7 @@ import argparse
 import os
 import re
 import resource
+import shutil
 import subprocess
 import tempfile
 from pathlib import Path
@@ -28,6 +29,8 @@ class Failed(RuntimeError):
 
 def ccx(folder, text, limit):
     """Run a deck; processor seconds."""
+    if not shutil.which("ccx"):
+        raise Failed("no ccx; ../install says how to get it")
     (folder/"run.inp").write_text(text)
     one = {k: "1" for k in ("OMP_NUM_THREADS", "CCX_NPROC_STIFFNESS",
                             "CCX_NPROC_RESULTS", "OPENBLAS_NUM_THREADS")}
@@ -80,8 +83,6 @@ def histories(scene, file):
     a = scene.axis
     E0, start = kinetic(scene.velocity), mass @ scene.velocity[:, a]
     found = {}
-    order = np.argsort(list(scene.probes.values()))
-    names = [list(scene.probes)[k] for k in order]
     for title, time, rows in blocks(file):
         now = found.setdefault(time, {"Time": time, "plasticWork": 0.})
         if "velocities" in title:
@@ -90,16 +91,18 @@ def histories(scene, file):
             now["impulse"] = (mass @ v[:, a] - start)/scene.thickness
             now["kinetic"] = kinetic(v)/E0
         elif "displacements" in title:
-            for name, row in zip(names, rows):
+            of = {int(row[0]) - 1: row[1:] for row in rows}
+            for name, point in scene.probes.items():
                 # That of the rim is outwards
-                now[name] = row[1 + (0 if name == "rim" else a)]
+                now[name] = of[point][0 if name == "rim" else a]
         elif "internal energy" in title:
             now["internal"] = rows[0, 0]/E0
         elif "plastic" in title:
             yields, modulus = scene.hardening
             e = rows[:, 2]
-            work = (yields*e + modulus/2*e**2).reshape(len(volumes), -1).mean(1)
-            now["plasticWork"] = volumes @ work/E0
+            work = yields*e + modulus/2*e**2
+            now["plasticWork"] = volumes @ work.reshape(
+                len(volumes), -1).mean(1)/E0
     keys = list(next(iter(found.values())))
     table = {k: np.array([row[k] for row in found.values()]) for k in keys}
     table["energy"] = table["kinetic"] + table["internal"] \
@@ -152,7 +155,10 @@ def main():
     parser.add_argument("-out", default="/dev/stdout")
     parser.add_argument("-limit", type=float, default=LIMIT)
     given = parser.parse_args()
-    table, said = run(given.case, given.elements, given.limit)
+    try:
+        table, said = run(given.case, given.elements, given.limit)
+    except Failed as stop:
+        raise SystemExit(f"calculix: {stop}") from None
     write(table, said, f"{given.case}, {given.elements} elements", given.out)
 
 
