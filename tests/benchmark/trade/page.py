@@ -150,6 +150,27 @@ def agreements(compared):
                   f"{peers.TITLE}, coarser (elements): error"], lines)
 
 
+def programs(tables, packaged):
+    """Runs of programs from packages, and what balanced needs, on meshes
+    between its own by powers of the error, for the same error."""
+    lines = []
+    for name, rows in tables.items():
+        ours = onMeshes(CASES[name], rows, "balanced")
+        for row in packaged[name]:
+            line = [CASES[name].title, peers.PACKAGED[row["program"]],
+                    f"{row['mesh']:.0f}", f"{row['seconds']:.2g}",
+                    f"{row['us']:.2g}", percent(row["error"], 3)]
+            cost, bound = atEqualError(ours, row["error"])
+            if cost is not None:
+                other = {"<": "> ", ">": "< ", "": ""}[bound]
+                line += [f"{bound} {cost*row['calibration']:.2g}".strip(),
+                         f"{other}{row['cost']/cost:.2g}"]
+            lines.append(line + [""]*(8 - len(line)))
+    return table(["case", "program", "mesh", "seconds",
+                  "µs per node and step", "error",
+                  "`balanced` at this error: seconds", "ratio"], lines)
+
+
 def before(tables):
     """The cheapest run of balanced on a mesh of the trade that is as good as
     the default scheme was until November 2026 on the base mesh."""
@@ -220,12 +241,12 @@ def runLine(row, unit):
         f"{row['steps']:.0f}", f"{row['us']:.3f}", f"{row['cost']/unit:.2f}"]
 
 
-def section(case, rows, peer, stopped):
+def section(case, rows, peer, packaged, stopped):
     balanced = find(rows, named(case, "balanced", case.base))
     if not balanced:
         return f"## {case.title.capitalize()}\n\nNot run.\n"
     unit = balanced["cost"]
-    draw(case, rows, peer, unit)
+    draw(case, rows, peer, packaged, unit)
     base = [r for r in rows if r["options"]["mesh"] == case.base]
     text = [f"## {case.title.capitalize()}\n",
             f"[`{case.tutorial}`](../../tutorials/{case.tutorial}/README.md), "
@@ -266,26 +287,6 @@ def reference(case, rows):
             f"{percent(row['force'])}, energy {percent(row['energy'])}).")
 
 
-def programs(tables):
-    """Rows of real programs beside the run of balanced on the same mesh."""
-    lines = []
-    for peer in peers.programs():
-        name, mesh = peer["case"], peer["mesh"]
-        cells = [CASES[name].title if name in CASES else name, mesh,
-                 peer["program"], f"{float(peer['nodes']):.0f}",
-                 f"{float(peer['seconds']):.2g}"
-                 + (" (from a part)" if peer["extrapolated"] == "yes" else ""),
-                 percent(float(peer["error"]), 3) if peer["error"] else ""]
-        row = name in tables and find(tables[name], named(
-            CASES[name], "balanced", mesh))
-        cells += [f"{row['seconds']:.2g}", percent(row["error"], 3),
-                  f"{float(peer['seconds'])/row['seconds']:.2g}"] \
-            if row else ["", "", ""]
-        lines.append(cells)
-    return table(["case", "mesh", "program", "nodes", "seconds", "error",
-                  "`balanced`: seconds", "error", "ratio"], lines)
-
-
 PEERS = f"""## Against plain finite elements
 
 [`plainFEM`](peers/plainFEM/README.md) is what textbooks have: hexahedra and quadrangles with full integration and mean dilatation, central differences,
@@ -300,18 +301,18 @@ of the minute in which `balanced` ran. Errors are against our reference, then ag
 """
 
 
-PROGRAMS = """## Against real programs
-
-From packages, one thread, explicit, by [`peers`](peers/README.md), which says what each can do. Seconds are processor time; some are extrapolated from
-the difference of two short runs. Ratio: their time over that of `balanced` on the same mesh.
+PACKAGED = """Programs from packages, which [`peers`](peers/README.md) has, with their settings and what they cannot do. Ratio: their cost over that of `balanced` at the
+same error, on meshes between its own; `<`: `balanced` needs less than its coarsest mesh takes, the ratio is larger; `>`: more than its finest mesh.
 """
 
 
 def writePage(rows, compared):
     rows = list(rows)
-    compared = numbers(compared)
-    compared = {name: [r for r in compared if r["case"] == name]
-                for name in CASES}
+    everyone = numbers(compared)
+    compared, packaged = (
+        {name: [r for r in everyone if r["case"] == name
+                and (r["program"] == peers.NAME) == own] for name in CASES}
+        for own in (True, False))
     done = numbers(rows)
     texts = [r for r in rows if r["status"] == "done"]
     for row, text in zip(done, texts):
@@ -335,10 +336,9 @@ def writePage(rows, compared):
             "For the peak of the contact force alone, which may be right by "
             "chance on a coarse mesh:\n",
             decisions(tables, compared, "peak", "error of the peak force"),
-            PEERS, agreements(), EQUAL, equalErrors(tables, compared)]
-    if peers.programs():
-        page += [PROGRAMS, programs(tables)]
-    page += [section(CASES[name], found, compared[name], [
+            PEERS, agreements(compared), EQUAL, equalErrors(tables, compared),
+            PACKAGED, programs(tables, packaged)]
+    page += [section(CASES[name], found, compared[name], packaged[name], [
         r for r in rows if r["case"] == name and r["status"] != "done"])
         for name, found in tables.items()]
     (here.parent/"trade.md").write_text("\n".join(page))

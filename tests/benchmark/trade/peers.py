@@ -1,10 +1,12 @@
-"""The program to compare with, the plain finite elements of ../peers/plainFEM:
-its runs of the cases, with errors and costs as those of the solver."""
+"""The programs to compare with: their runs of the cases, with errors and costs
+as those of the solver. The first are the plain finite elements of
+../peers/plainFEM, which are of this project; CalculiX is from a package."""
 
 import csv
 import hashlib
 import re
 import shutil
+import sys
 import tempfile
 from pathlib import Path
 
@@ -16,6 +18,11 @@ from cases import CASES
 sources = root/"tests"/"benchmark"/"peers"/"plainFEM"
 NAME = "plainFEM"
 TITLE = "plain FEM"
+
+# From packages, ../peers/install gets them: their titles, and the meshes of
+# the cases that they can do
+PACKAGED = {"calculix": "CalculiX"}
+PACKAGED_MESHES = {"calculix": {"rings": (5, 10, 20), "taylor": (2, 4, 6)}}
 
 MESHES = {
     "similar": tuple(2**k for k in range(6, 14)),
@@ -33,6 +40,10 @@ KEYS = "program", "case", "mesh"
 COLUMNS = (*KEYS, "error", "own", "velocity", "force", "peak", "impulse",
            "energy", "rise", "length", "radius", "plasticWork", "nodes",
            "steps", "seconds", "us", "calibration", "cost")
+
+
+class Failed(RuntimeError):
+    """A program from a package did not end well."""
 
 
 def program():
@@ -82,18 +93,44 @@ def once(name, mesh):
     return errors, costs(said)
 
 
-def measure(name, mesh, calibration):
+def oncePackaged(program, name, mesh):
+    """The same of a program from a package."""
+    folder = str(sources.parent/program)
+    if folder not in sys.path:
+        sys.path.append(folder)
+    # Its modules are of no use to the others
+    import calculix
+    try:
+        histories, said = calculix.run(name, mesh)
+    except calculix.Failed as stop:
+        raise Failed(f"{program} {name} {mesh}: {stop}") from None
+    case = CASES[name]
+    right = case.reference(Case(root/"tutorials"/case.tutorial))
+    return {**case.difference(histories, right), "rise": said["rise"]}, \
+        costs(said)
+
+
+def meshes(program):
+    """Of its cases."""
+    return MESHES if program == NAME else PACKAGED_MESHES[program]
+
+
+def measure(name, mesh, calibration, program=NAME):
     """A row of the table."""
+    def run():
+        return once(name, mesh) if program == NAME \
+            else oncePackaged(program, name, mesh)
+
     before = calibration.run()
-    errors, cost = once(name, mesh)
+    errors, cost = run()
     repeated = 0
     while cost["seconds"] < SHORT and repeated < 2:
         repeated += 1
-        cost = min(cost, once(name, mesh)[1], key=lambda c: c["seconds"])
+        cost = min(cost, run()[1], key=lambda c: c["seconds"])
     unit = (before + calibration.run())/2
     numbers = {**errors, **cost, "calibration": unit,
                "cost": cost["seconds"]/unit}
-    return {"program": NAME, "case": name, "mesh": str(mesh),
+    return {"program": program, "case": name, "mesh": str(mesh),
             **{k: f"{v:.5g}" for k, v in numbers.items() if k in COLUMNS}}
 
 
@@ -101,15 +138,6 @@ def makeReference(name):
     """Run the finest mesh and keep its histories."""
     said = run(name, FINEST[name], CASES[name].peerFile)
     print(f"{name}, {NAME}: {said['seconds']:.0f} s", flush=True)
-
-
-def programs():
-    """Rows of real programs, which ../peers/calculix/run.py writes."""
-    file = sources.parent/"calculix.csv"
-    if not file.exists():
-        return []
-    with open(file) as lines:
-        return list(csv.DictReader(lines))
 
 
 def agreement(name):

@@ -7,15 +7,16 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
 from front import LARGEST_RISE, front
-from peers import TITLE, programs
+from peers import PACKAGED, TITLE
 from variants import PRESETS, isPreset
 
 here = Path(__file__).resolve().parent
 
 
-def draw(case, rows, peer, unit):
-    """rows: numbers of one case; peer: those of the program to compare with;
-    unit: cost of balanced on the base mesh."""
+def draw(case, rows, peer, packaged, unit):
+    """rows: numbers of one case; peer: those of plain finite elements;
+    packaged: of programs from packages; unit: cost of balanced on the base
+    mesh."""
     figure, axes = plt.subplots(figsize=(7.5, 5.5))
 
     def show(some, style, **more):
@@ -42,12 +43,11 @@ def draw(case, rows, peer, unit):
                       [r[error] for r in mine], style, linewidth=1,
                       color="tab:purple", label=TITLE + what,
                       markerfacecolor="none" if what else None)
-    calibration = rows[0]["calibration"]
-    real = [r for r in programs() if r["case"] == case.name and r["error"]]
-    if real:
-        axes.plot([float(r["seconds"])/calibration/unit for r in real],
-                  [float(r["error"]) for r in real], "X", color="tab:brown",
-                  label=real[0]["program"])
+    for (program, title), marker in zip(PACKAGED.items(), "*X"):
+        mine = [r for r in packaged if r["program"] == program]
+        if mine:
+            show(mine, f"{marker}-.", linewidth=1, color="tab:brown",
+                 label=title)
     # Their names are on the page; neighbours' numbers above and below
     for number, row in enumerate(best, 1):
         axes.annotate(str(number), (row["cost"]/unit, row["error"]),

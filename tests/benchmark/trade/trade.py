@@ -6,7 +6,7 @@ a picture per case, and ../trade.md, which says what to choose.
     tests/benchmark/trade/trade.py [-jobs N] [-missing] [-only TEXT] [case ...]
     tests/benchmark/trade/trade.py -page
     tests/benchmark/trade/trade.py [-peers] -reference [case ...]
-    tests/benchmark/trade/trade.py -peers [case ...]
+    tests/benchmark/trade/trade.py -peers [-program NAME] [case ...]
 
 Rows of trade.csv are replaced as their runs finish. -missing: only those that
 are not there; -only: variants whose label has that text; -page: no runs.
@@ -14,6 +14,7 @@ are not there; -only: variants whose label has that text; -page: no runs.
 kept in reference/, and how far the next coarser mesh is from them.
 -peers: instead of the solver, the plain finite elements of ../peers/plainFEM
 on meshes of their own, with rows in peers.csv and references of their own.
+-program: another of ../peers, which ../peers/install gets.
 
 The time of a run is divided by that of a small fixed case, which runs right
 before and after it: machines are faster at one time than at another.
@@ -163,12 +164,18 @@ def trade(names, jobs, missing, only):
         list(pool.map(do, work))
 
 
-def runPeers(names):
-    """Run the program to compare with on its meshes, one at a time."""
+def runPeers(names, program):
+    """Run a program to compare with on its meshes, one at a time. One that
+    ends badly leaves no row."""
     table, calibration = peersTable(), Calibration()
+    meshes = peers.meshes(program)
     for name in names:
-        for mesh in peers.MESHES[name]:
-            row = peers.measure(name, mesh, calibration)
+        for mesh in meshes.get(name, ()):
+            try:
+                row = peers.measure(name, mesh, calibration, program)
+            except peers.Failed as stop:
+                print(stop, flush=True)
+                continue
             table.put(row)
             print(row["program"], row["case"], row["mesh"], "| error",
                   row["error"], "| cost", row["cost"], flush=True)
@@ -196,6 +203,8 @@ def main():
                         help=", ".join(CASES))
     parser.add_argument("-jobs", type=int, default=1)
     parser.add_argument("-only", default="")
+    parser.add_argument("-program", default=peers.NAME,
+                        choices=(peers.NAME, *peers.PACKAGED))
     for flag in "-missing", "-page", "-reference", "-peers":
         parser.add_argument(flag, action="store_true")
     given = parser.parse_args()
@@ -203,6 +212,8 @@ def main():
     if unknown:
         parser.error(f"no case {', '.join(unknown)}; there are "
                      + ", ".join(CASES))
+    if given.program != peers.NAME and (given.reference or not given.peers):
+        parser.error("-program needs -peers, and has no reference")
     names = given.cases or list(CASES)
     if given.reference:
         for name in names:
@@ -211,7 +222,7 @@ def main():
             elif CASES[name].finest:
                 makeReference(CASES[name])
     elif given.peers:
-        runPeers(names)
+        runPeers(names, given.program)
     elif not given.page:
         trade(names, given.jobs, given.missing, given.only)
     from page import writePage

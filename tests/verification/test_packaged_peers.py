@@ -1,0 +1,48 @@
+"""Programs from packages that the trade compares with: the decks are of our
+cases."""
+
+import shutil
+import sys
+
+import numpy as np
+import pytest
+
+from caseTools import root
+
+sys.path.append(str(root/"tests"/"benchmark"/"peers"/"calculix"))
+
+import calculix
+from deck import deck, steps
+from scenes import SCENES
+
+
+@pytest.mark.parametrize("name, mesh, nodes, volume", (
+    ("column", 2, 3*3*13, 6),
+    ("rings", 10, 2*11*124, np.pi*(0.04**2 - 0.03**2)*1e-3),
+    ("taylor", 4, 703, np.pi/4*3.2e-3**2*32.4e-3)))
+def test_meshes(name, mesh, nodes, volume):
+    """Polygons have a little less than circles."""
+    scene = SCENES[name](mesh)
+    ofNodes, ofElements = scene.mesh.volumes()
+    assert len(scene.mesh.points) == nodes
+    assert ofNodes.sum() == pytest.approx(ofElements.sum())
+    assert 0.97*volume < ofElements.sum() < 1.0001*volume
+
+
+def test_deck():
+    """Samples are at ends of steps; the plate is there, and prints only if
+    they are wanted."""
+    scene = SCENES["rings"](5)
+    every, step = steps(scene)
+    assert step <= scene.step
+    assert every*scene.samples*step == pytest.approx(scene.end)
+    with_, without = (deck(scene, scene.end, p) for p in (True, False))
+    assert "*CONTACT PAIR" in with_ and "\nELSE\n" in with_
+    assert "\nELSE\n" not in without
+
+
+@pytest.mark.skipif(not shutil.which("ccx"), reason="no CalculiX")
+def test_column():
+    table, said = calculix.run("column", 2)
+    assert said["nodes"] == 117
+    assert table["energy"][-1] == pytest.approx(1, abs=0.02)
