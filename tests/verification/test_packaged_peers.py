@@ -41,6 +41,14 @@ def test_deck():
     assert "\nELSE\n" not in without
 
 
+@pytest.mark.parametrize("step, steps", (
+    ("3.059735e-05", 1308), ("3.333333e-05", 1200)))
+def test_steps(step, steps):
+    """Those that CalculiX takes, whatever it was told."""
+    log = f" SELECTED time increment:{step}\n"
+    assert calculix.stepsTaken(log, 0.04) == steps
+
+
 @pytest.mark.skipif(not shutil.which("ccx"), reason="no CalculiX")
 def test_column():
     table, said = calculix.run("column", 2)
