@@ -91,7 +91,8 @@ def make(folder, block, cells, options):
                           **MATERIALS[options["material"]]},
                 velocity=lambda X: (X - 0.5) @ rate)
     return SmallCase(folder, body, 1, control={
-        "preset": options["preset"], "deltaT": 0.05/cells, "functions": {},
+        "preset": options["preset"],
+        "maxCo": 0.6 if options["preset"] == "paper" else 0.9, "deltaT": 0.05/cells, "functions": {},
         "writeControl": "none", "timePrecision": 12})
 
 
