@@ -109,20 +109,22 @@ void Foam::bodyInterface::send()
     const scalarField& depth = body.depth(plus_.patchi);
     const pointField& points = body.mesh().points();
 
-    sent_.setSize(P.size());
-    forAll(sent_, k)
+    const labelList& corners = pairing_->plusCorners();
+    sent_.setSize(corners.size());
+    forAll(corners, i)
     {
-        cornerMessage& m = sent_[k];
+        const label k = corners[i];
+        cornerMessage& m = sent_[i];
         const label node = P.geometry.cornerNode[k];
         const vector x(body.position(node));
         const vector X(points[body.dual().nodePoint()[node]]);
-        for (direction i = 0; i < 3; ++i)
+        for (direction c = 0; c < 3; ++c)
         {
-            m[i] = P.v[k][i];
-            m[3 + i] = P.t[k][i];
-            m[6 + i] = P.n[k][i];
-            m[9 + i] = x[i];
-            m[15 + i] = X[i];
+            m[c] = P.v[k][c];
+            m[3 + c] = P.t[k][c];
+            m[6 + c] = P.n[k][c];
+            m[9 + c] = x[c];
+            m[15 + c] = X[c];
         }
         m[12] = P.stretch[k];
         m[13] = P.waveFactor[k];
@@ -245,9 +247,11 @@ void Foam::bodyInterface::solveForces(const bool firstStage)
     }
 
     pairing_->toCorners(answers_, combineAnswers(), noPlusMessage());
-    for (label k = 0; k < P.size(); ++k)
+    const labelList& corners = pairing_->plusCorners();
+    forAll(corners, c)
     {
-        const plusMessage& f = answers_[k];
+        const label k = corners[c];
+        const plusMessage& f = answers_[c];
         answerMessage state;
         forAll(state, i) state[i] = f[i];
         setState(plus_, k, state, firstStage);
@@ -467,11 +471,13 @@ void Foam::bodyInterface::solve(const scalar, const bool firstStage)
     }
 
     pairing_->toCorners(answers_, combineAnswers(), noPlusMessage());
-    for (label k = 0; k < P.size(); ++k)
+    const labelList& corners = pairing_->plusCorners();
+    forAll(corners, c)
     {
+        const label k = corners[c];
         answerMessage state, flux;
-        forAll(state, i) state[i] = answers_[k][i];
-        for (label i = 0; i < 6; ++i) flux[i] = answers_[k][9 + i];
+        forAll(state, i) state[i] = answers_[c][i];
+        for (label i = 0; i < 6; ++i) flux[i] = answers_[c][9 + i];
         setState(plus_, k, state, firstStage);
         addFlux(P, k, flux, 1);
     }

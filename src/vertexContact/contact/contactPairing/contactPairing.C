@@ -7,6 +7,8 @@
 #include "contactPairing.H"
 #include "solidBody.H"
 #include "dictionaryCheck.H"
+#include "PstreamBuffers.H"
+#include <algorithm>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -37,8 +39,7 @@ void Foam::contactPairing::setOverlaps(DynamicList<contactOverlap>& overlaps)
 {
     const label firstMinus = minusCorners_.toGlobal(0);
 
-    labelList plus(4*overlaps.size());
-    label n = 0;
+    DynamicList<label> all(4*overlaps.size());
     for (contactOverlap& o : overlaps)
     {
         for (label j = 0; j < o.minus.size; ++j)
@@ -47,29 +48,113 @@ void Foam::contactPairing::setOverlaps(DynamicList<contactOverlap>& overlaps)
         }
         for (label j = 0; j < o.plus.size; ++j)
         {
-            plus[n++] = o.plus.corner[j];
+            all.append(o.plus.corner[j]);
         }
     }
-    plus.setSize(n);
+
+    // Each once: the slots
+    Foam::sort(all);
+    labelList slots(all.size());
+    label n = 0;
+    for (const label c : all)
+    {
+        if (n == 0 || slots[n - 1] != c) slots[n++] = c;
+    }
+    slots.setSize(n);
+
+    for (contactOverlap& o : overlaps)
+    {
+        for (label j = 0; j < o.plus.size; ++j)
+        {
+            o.plus.corner[j] = label
+            (
+                std::lower_bound(slots.begin(), slots.end(), o.plus.corner[j])
+              - slots.begin()
+            );
+        }
+    }
 
     map_.clear();
     if (Pstream::parRun())
     {
-        // Global corners to slots
-        List<Map<label>> compact;
-        map_.reset(new mapDistribute(plusCorners_, plus, compact));
-        n = 0;
-        for (contactOverlap& o : overlaps)
-        {
-            for (label j = 0; j < o.plus.size; ++j)
-            {
-                o.plus.corner[j] = plus[n++];
-            }
-        }
+        askFor(slots);
+    }
+    else
+    {
+        sent_ = slots;
     }
 
     active_ = returnReduce(overlaps.size(), sumOp<label>()) > 0;
     overlaps_ = overlaps;
+}
+
+
+void Foam::contactPairing::askFor(const labelList& slots)
+{
+    const label me = Pstream::myProcNo(), nProcs = Pstream::nProcs();
+
+    // From whom what; the numbers of each rank follow each other
+    labelListList construct(nProcs), wanted(nProcs);
+    for (label proc = 0, i = 0; proc < nProcs; ++proc)
+    {
+        const label end =
+            plusCorners_.offset(proc) + plusCorners_.localSize(proc);
+        const label start = i;
+        while (i < slots.size() && slots[i] < end) ++i;
+        construct[proc] = identity(i - start);
+        wanted[proc].setSize(i - start);
+        forAll(construct[proc], k)
+        {
+            construct[proc][k] += start;
+            wanted[proc][k] =
+                slots[start + k] - plusCorners_.offset(proc);
+        }
+    }
+
+    PstreamBuffers buffers(Pstream::commsTypes::nonBlocking);
+    forAll(wanted, proc)
+    {
+        if (proc != me && wanted[proc].size())
+        {
+            UOPstream os(proc, buffers);
+            os << wanted[proc];
+        }
+    }
+    labelList received;
+    buffers.finishedSends(received);
+
+    labelListList asked(nProcs);
+    asked[me] = wanted[me];
+    forAll(received, proc)
+    {
+        if (proc != me && received[proc])
+        {
+            UIPstream is(proc, buffers);
+            is >> asked[proc];
+        }
+    }
+
+    labelHashSet corners;
+    for (const labelList& some : asked) corners.insert(some);
+    sent_ = corners.sortedToc();
+    for (labelList& some : asked)
+    {
+        for (label& k : some)
+        {
+            k = label
+            (
+                std::lower_bound(sent_.begin(), sent_.end(), k)
+              - sent_.begin()
+            );
+        }
+    }
+    map_.reset
+    (
+        new mapDistribute
+        (
+            slots.size(), std::move(asked), std::move(construct)
+        )
+    );
 }
 
 
