@@ -224,19 +224,21 @@ void Foam::checkInterface
     };
 
     // The plus corners to where the minus side is
-    List<cornerState> plus(P.corners.size());
-    forAll(plus, k)
+    const labelList& near = pairing.plusCorners();
+    List<cornerState> plus(near.size());
+    forAll(plus, c)
     {
+        const label k = near[c];
         const point x(P.position(k));
         const vector u(linear(x));
-        plus[k][0] = 1;
+        plus[c][0] = 1;
         for (direction i = 0; i < 3; ++i)
         {
-            plus[k][1 + i] = x[i];
-            plus[k][4 + i] = P.corners.n[k][i];
-            plus[k][7 + i] = u[i];
+            plus[c][1 + i] = x[i];
+            plus[c][4 + i] = P.corners.n[k][i];
+            plus[c][7 + i] = u[i];
         }
-        plus[k][10] = P.corners.stretch[k];
+        plus[c][10] = P.corners.stretch[k];
     }
     pairing.toSlots(plus);
 
@@ -361,8 +363,10 @@ void Foam::checkInterface
     }
 
     pairing.toCorners(toPlus, addSums(), cornerSum(scalar(0)));
+    List<cornerSum> toAllPlus(P.corners.size(), cornerSum(scalar(0)));
+    forAll(near, c) toAllPlus[near[c]] = toPlus[c];
     M.finish(toMinus, middle);
-    P.finish(toPlus, middle);
+    P.finish(toAllPlus, middle);
 
     leastGap = least(leastGap);
     greatestGap = greatest(greatestGap);

@@ -965,6 +965,14 @@ Foam::scalar Foam::solidBody::mass() const
 }
 
 
+Foam::vector Foam::solidBody::meanVelocity() const
+{
+    return
+        returnReduce(linearMomentum(), sumOp<vector>())
+       /returnReduce(mass(), sumOp<scalar>());
+}
+
+
 Foam::vector Foam::solidBody::linearMomentum() const
 {
     scalar sum[3] = {};

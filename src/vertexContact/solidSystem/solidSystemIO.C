@@ -124,13 +124,6 @@ void Foam::solidSystem::checkImpacts() const
     // The speed of waves follows the stretch anyway
     if (integrator_.leapfrog()) return;
 
-    const auto meanVelocity = [](const solidBody& body)
-    {
-        return
-            returnReduce(body.linearMomentum(), sumOp<vector>())
-           /returnReduce(body.mass(), sumOp<scalar>());
-    };
-
     for (const contactInterface& contact : interfaces_)
     {
         const List<contactSide> sides(contact.sides());
@@ -141,8 +134,8 @@ void Foam::solidSystem::checkImpacts() const
          || (b.material().stretchesWaves() && !b.options().stretchedWaves);
 
         // Of an obstacle: as if it were at rest
-        const vector v(meanVelocity(a));
-        const scalar speed = mag(sides.size() > 1 ? v - meanVelocity(b) : v);
+        const vector v(a.meanVelocity());
+        const scalar speed = mag(sides.size() > 1 ? v - b.meanVelocity() : v);
         const scalar cp = min(a.material().cp(), b.material().cp());
         if (stretches && speed > fastImpact*cp)
         {

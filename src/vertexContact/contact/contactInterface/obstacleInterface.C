@@ -284,8 +284,9 @@ void Foam::obstacleInterface::update(const scalar time)
     (
         time,
         allowed_,
-        returnReduce(sideMotion_.speed(), maxOp<scalar>())
-      + 0.1*side_.body->material().cp()
+        returnReduce(sideMotion_.speed(vector::zero), maxOp<scalar>())
+      + 0.1*side_.body->material().cp(),
+        vector::zero
     );
 }
 

@@ -7,6 +7,7 @@
 #include "contactSurface.H"
 #include "solidBody.H"
 #include "scalarMatrices.H"
+#include "DynamicList.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -39,6 +40,72 @@ FixedList<scalar, 16> spread
         for (label j = 0; j < n; ++j) result[4*j + p] = area[j]*unit[j];
     }
     return result;
+}
+
+//- One face of a side
+contactFace makeFace
+(
+    const contactSide& side,
+    const globalIndex& corners,
+    const vector& out,
+    const label facei,
+    const bool current
+)
+{
+    const solidBody& body = *side.body;
+    const medianDual& dual = body.dual();
+    const dualPatch& patch = dual.patches()[side.patchi];
+    const scalarField& depth = body.depth(side.patchi);
+    const label d = dual.nDim();
+
+    contactFace f;
+    const label start = patch.faceStart[facei];
+    f.size = patch.faceStart[facei + 1] - start;
+    f.firstCorner = corners.toGlobal(start);
+
+    const scalar* s = patch.weights.cdata() + patch.weightStart[facei];
+    vector mean(Zero);
+    for (label j = 0; j < f.size; ++j)
+    {
+        const label k = start + j;
+        const label a = patch.cornerNode[k];
+        f.X[j] = body.expand(dual.nodePosition().cdata() + a*d);
+        f.x[j] =
+            current
+          ? f.X[j] + body.expand(body.state().disp.cdata() + a*d)
+          : f.X[j];
+        f.area[j] = patch.cornerArea[k];
+        f.depth[j] = depth[k];
+        mean += body.expand(patch.cornerNormal.cdata() + k*d);
+    }
+    f.spread = spread(s, f.size, f.area);
+    if (f.size == 4)
+    {
+        const scalar both = s[2] + s[7];
+        f.split = both > 0 ? s[2]/both : 0.5;
+
+        const vector d02(f.X[2] - f.X[0]), d13(f.X[3] - f.X[1]);
+        const vector n(d02 ^ d13);
+        f.crossing = min
+        (
+            max
+            (
+                (((f.X[1] - f.X[0]) ^ d13) & n)/max(magSqr(n), VSMALL),
+                scalar(0.02)
+            ),
+            scalar(0.98)
+        );
+    }
+    f.N = mean/mag(mean);
+    f.width = f.size > 1 ? contactSurface::meanEdge(f.X, f.size) : f.depth[0];
+
+    // The same turn from reference to current nodes
+    const vector A(contactSurface::areaNormal(f.X, f.size, out));
+    const vector a(contactSurface::areaNormal(f.x, f.size, out));
+    f.n =
+        d == 1 ? f.N
+      : ((A & f.N) < 0 ? -1 : 1)*a/max(mag(a), VSMALL);
+    return f;
 }
 
 } // End anonymous namespace
@@ -151,65 +218,58 @@ Foam::contactFaceList Foam::contactSurface::faces
     const bool current
 )
 {
+    const vector out(outOfPlane(side));
+    contactFaceList faces(side.body->dual().patches()[side.patchi].nFaces());
+    forAll(faces, facei)
+    {
+        faces[facei] = makeFace(side, corners, out, facei, current);
+    }
+    return faces;
+}
+
+
+Foam::contactFaceList Foam::contactSurface::facesIn
+(
+    const contactSide& side,
+    const globalIndex& corners,
+    const boundBox& box
+)
+{
     const solidBody& body = *side.body;
     const medianDual& dual = body.dual();
     const dualPatch& patch = dual.patches()[side.patchi];
-    const scalarField& depth = body.depth(side.patchi);
     const label d = dual.nDim();
     const vector out(outOfPlane(side));
+    const scalar* X = dual.nodePosition().cdata();
+    const scalar* disp = body.state().disp.cdata();
 
-    contactFaceList faces(patch.nFaces());
-    forAll(faces, facei)
+    DynamicList<contactFace> faces;
+    for (label facei = 0; facei < patch.nFaces(); ++facei)
     {
-        contactFace& f = faces[facei];
-        const label start = patch.faceStart[facei];
-        f.size = patch.faceStart[facei + 1] - start;
-        f.firstCorner = corners.toGlobal(start);
-
-        const scalar* s = patch.weights.cdata() + patch.weightStart[facei];
-        vector mean(Zero);
-        for (label j = 0; j < f.size; ++j)
+        bool meets = true;
+        for (label i = 0; i < d && meets; ++i)
         {
-            const label k = start + j;
-            const label a = patch.cornerNode[k];
-            f.X[j] = body.expand(dual.nodePosition().cdata() + a*d);
-            f.x[j] =
-                current
-              ? f.X[j] + body.expand(body.state().disp.cdata() + a*d)
-              : f.X[j];
-            f.area[j] = patch.cornerArea[k];
-            f.depth[j] = depth[k];
-            mean += body.expand(patch.cornerNormal.cdata() + k*d);
-        }
-        f.spread = spread(s, f.size, f.area);
-        if (f.size == 4)
-        {
-            const scalar both = s[2] + s[7];
-            f.split = both > 0 ? s[2]/both : 0.5;
-
-            const vector d02(f.X[2] - f.X[0]), d13(f.X[3] - f.X[1]);
-            const vector n(d02 ^ d13);
-            f.crossing = min
+            scalar least = GREAT, most = -GREAT;
+            for
             (
-                max
-                (
-                    (((f.X[1] - f.X[0]) ^ d13) & n)/max(magSqr(n), VSMALL),
-                    scalar(0.02)
-                ),
-                scalar(0.98)
-            );
+                label k = patch.faceStart[facei];
+                k < patch.faceStart[facei + 1];
+                ++k
+            )
+            {
+                const label at = patch.cornerNode[k]*d + i;
+                least = min(least, X[at] + disp[at]);
+                most = max(most, X[at] + disp[at]);
+            }
+            const direction e = dual.directions()[i];
+            meets = least <= box.max()[e] && most >= box.min()[e];
         }
-        f.N = mean/mag(mean);
-        f.width = f.size > 1 ? meanEdge(f.X, f.size) : f.depth[0];
-
-        // The same turn from reference to current nodes
-        const vector A(areaNormal(f.X, f.size, out));
-        const vector a(areaNormal(f.x, f.size, out));
-        f.n =
-            d == 1 ? f.N
-          : ((A & f.N) < 0 ? -1 : 1)*a/max(mag(a), VSMALL);
+        if (meets)
+        {
+            faces.append(makeFace(side, corners, out, facei, true));
+        }
     }
-    return faces;
+    return contactFaceList(faces);
 }
 
 

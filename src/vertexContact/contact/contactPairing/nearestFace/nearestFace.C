@@ -76,12 +76,13 @@ scalar distance(const boundBox& a, const boundBox& b)
 
 Foam::contactFaceList Foam::contactPairings::nearestFace::oppositeFaces
 (
-    const boundBox& minusBox
+    const boundBox& minusBox,
+    const boundBox& near
 ) const
 {
     contactFaceList mine
     (
-        contactSurface::faces(plus_, plusCorners_, true)
+        contactSurface::facesIn(plus_, plusCorners_, near)
     );
     if (!Pstream::parRun())
     {
@@ -258,9 +259,14 @@ Foam::keywordList Foam::contactPairings::nearestFace::keywords()
 }
 
 
-bool Foam::contactPairings::nearestFace::outdated(const scalar time)
+bool Foam::contactPairings::nearestFace::outdated
+(
+    const scalar time,
+    const scalar share
+)
 {
-    return minusMotion_.exceeded(time) || plusMotion_.exceeded(time);
+    return
+        minusMotion_.exceeded(time, share) || plusMotion_.exceeded(time, share);
 }
 
 
@@ -280,16 +286,25 @@ void Foam::contactPairings::nearestFace::update(const scalar time)
     DynamicList<contactOverlap> overlaps;
     if (apart <= search)
     {
+        // Only faces near the other side
         const contactFaceList mine
         (
-            contactSurface::faces(minus_, minusCorners_, true)
+            contactSurface::facesIn
+            (
+                minus_, minusCorners_, grown(plusAll, search)
+            )
         );
+        boundBox mineBox(boundBox::invertedBox);
+        for (const contactFace& f : mine)
+        {
+            mineBox.add(boxOf(f));
+        }
         const contactFaceList others
         (
             oppositeFaces
             (
-                mine.size() ? grown(minusBox, search)
-              : boundBox(boundBox::invertedBox)
+                mine.size() ? grown(mineBox, search) : mineBox,
+                grown(minusAll, search)
             )
         );
 
@@ -342,6 +357,11 @@ void Foam::contactPairings::nearestFace::update(const scalar time)
       : active() ? updateDistance_*leastWidth_
       : 0.4*leastWidth_;
 
+    // What both sides have in common changes nothing between them
+    const vector frame
+    (
+        0.5*(minus_.body->meanVelocity() + plus_.body->meanVelocity())
+    );
     for (surfaceMotion* motion : {&minusMotion_, &plusMotion_})
     {
         const contactSide& side =
@@ -350,8 +370,9 @@ void Foam::contactPairings::nearestFace::update(const scalar time)
         (
             time,
             allowed,
-            returnReduce(motion->speed(), maxOp<scalar>())
-          + 0.1*side.body->material().cp()
+            returnReduce(motion->speed(frame), maxOp<scalar>())
+          + 0.1*side.body->material().cp(),
+            frame
         );
     }
 }

@@ -28,16 +28,20 @@ Foam::boundBox Foam::surfaceMotion::box() const
 }
 
 
-Foam::scalar Foam::surfaceMotion::speed() const
+Foam::scalar Foam::surfaceMotion::speed(const vector& frame) const
 {
     const label d = side_.body->dual().nDim();
     const scalar* lm = side_.body->state().lm.cdata();
+    const scalar perRho = 1/side_.body->material().rho();
     scalar largest = 0;
     for (const label a : nodes_)
     {
-        largest = max(largest, mag(side_.body->expand(lm + a*d)));
+        largest = max
+        (
+            largest, mag(perRho*side_.body->expand(lm + a*d) - frame)
+        );
     }
-    return largest/side_.body->material().rho();
+    return largest;
 }
 
 
@@ -45,7 +49,8 @@ void Foam::surfaceMotion::start
 (
     const scalar time,
     const scalar allowed,
-    const scalar speed
+    const scalar speed,
+    const vector& frame
 )
 {
     const label d = side_.body->dual().nDim();
@@ -57,27 +62,39 @@ void Foam::surfaceMotion::start
         for (label i = 0; i < d; ++i) from_[k++] = disp[a*d + i];
     }
     allowed_ = allowed;
+    frame_ = frame;
+    since_ = time;
     nextTime_ = time + allowed/max(speed, VSMALL);
 }
 
 
-bool Foam::surfaceMotion::exceeded(const scalar time) const
+bool Foam::surfaceMotion::exceeded
+(
+    const scalar time,
+    const scalar share
+) const
 {
-    if (time < nextTime_)
+    if (time - since_ < share*(nextTime_ - since_))
     {
         return false;
     }
     const label d = side_.body->dual().nDim();
     const scalar* disp = side_.body->state().disp.cdata();
+    scalar carried[3];
+    for (label i = 0; i < d; ++i)
+    {
+        carried[i] =
+            (time - since_)*frame_[side_.body->dual().directions()[i]];
+    }
     label k = 0;
     for (const label a : nodes_)
     {
         scalar moved = 0;
         for (label i = 0; i < d; ++i)
         {
-            moved += sqr(disp[a*d + i] - from_[k++]);
+            moved += sqr(disp[a*d + i] - from_[k++] - carried[i]);
         }
-        if (moved > sqr(allowed_)) return true;
+        if (moved > sqr(share*allowed_)) return true;
     }
     return false;
 }
