@@ -2,14 +2,14 @@
 """Time per node and step of the kernels, and per simulated time, by dimension,
 cells, material, options and size; of the default scheme and of the paper's.
 
-    . etc/bashrc; tests/benchmark/kernel.py [-few] [-before FOLDER]
+    . etc/bashrc; tests/benchmark/kernel.py [-few] [-page] [-before FOLDER]
 
 One core, a free block that is stretched, steps as long as the scheme takes
 them, no output, nothing in contact; the median of three runs, start-up not
 counted. Writes kernel.csv, kernel.md and kernel.png beside this file. -before:
 also runs the build in another clone of the repository, in turns with this one,
 since a machine is faster at one time than at another. -few: one row of each
-block.
+block. -page: only the page, from the figures of kernel.csv.
 """
 
 import csv
@@ -22,7 +22,7 @@ from pathlib import Path
 here = Path(__file__).resolve().parent
 root = here.parents[1]
 sys.path[:0] = [str(root/"tests"/"verification"), str(root/"tutorials"),
-                str(here/"trade")]
+                str(root/"tutorials"/"twoBarImpact"), str(here/"trade")]
 
 import numpy as np
 
@@ -215,6 +215,15 @@ def main(*flags):
                for options in (BASE, {**BASE, "correction": "0"},
                                {**BASE, "preset": "paper"})
                if "-few" not in flags or n == 58]
+    if "-page" in flags:
+        with open(here/"kernel.csv") as file:
+            rows = list(csv.DictReader(file))
+        for row in rows:
+            row.update({k: int(row[k]) for k in ("nodes", "bytes")})
+            row.update({k: float(row[k]) for k in ("us", "crossing")})
+        with tempfile.TemporaryDirectory() as folder:
+            page(rows, bandwidth(Path(folder)))
+        return
     rows = []
     with tempfile.TemporaryDirectory() as folder:
         folder = Path(folder)
