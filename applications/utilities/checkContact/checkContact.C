@@ -142,7 +142,12 @@ int main(int argc, char *argv[])
         }
 
         label nFailedNow = 0;
-        for (const contactInterface& contact : solids.interfaces())
+        for (const contactInterface& all : solids.interfaces())
+        {
+            if (all.many()) all.report(Info);
+        }
+        for (const contactInterface& all : solids.interfaces())
+        for (const contactInterface& contact : all.parts())
         {
             contact.report(Info);
             contactReport report(contact);

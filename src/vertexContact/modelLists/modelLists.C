@@ -13,6 +13,7 @@
 #include "bodyForce.H"
 #include "contactLaw.H"
 #include "contactPairing.H"
+#include "generalInterface.H"
 #include "obstacleInterface.H"
 #include "solidBoundaryCondition.H"
 #include "solidFunctionObject.H"
@@ -105,6 +106,11 @@ void listPairings(Ostream& os)
     );
     writeKeywords(os, "all", contactPairing::commonKeywords());
     writeModels<contactPairing>(os);
+    writeKeywords
+    (
+        os, "an interface of many surfaces instead",
+        generalInterface::keywords()
+    );
     writeKeywords
     (
         os, "an interface with an obstacle instead",

@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "solidSystem.H"
+#include "generalInterface.H"
 #include "passTimes.H"
 #include "dictionaryCheck.H"
 #include "fileError.H"
@@ -528,12 +529,9 @@ void Foam::solidSystem::stopStep
         accounts_[i] = oldAccounts_[i];
         bodies_[i].contact().status = oldStatus_[i];
     }
-    forAll(interfaces_, i)
+    for (contactInterface& contact : interfaces_)
     {
-        interfaces_[i].setImpulse
-        (
-            oldImpulses_[i].first(), oldImpulses_[i].second()
-        );
+        contact.restoreImpulse();
     }
     runTime_.setTime(startOfStep_, runTime_.timeIndex() - 1);
     if (integrator_.leapfrog())
@@ -684,7 +682,7 @@ void Foam::solidSystem::readLaws()
     const dictionary& list = interfaceDicts();
     for (contactInterface& contact : interfaces_)
     {
-        contact.readLaw(list.subDict(contact.name()));
+        contact.readLaw(list.subDict(contact.dictName()));
     }
     contactProperties_->changed = false;
 }
@@ -728,14 +726,19 @@ Foam::solidSystem::solidSystem(Time& runTime)
     {
         contactProperties_.reset(new watchedDictionary(contactIO));
         const dictionary& list = interfaceDicts();
-        label n = 0;
-        interfaces_.setSize(list.size());
-        for (const entry& e : list)
+        // Pairs with an interface of their own are not those of many
+        for (const bool general : {false, true})
         {
-            interfaces_.set
-            (
-                n++, contactInterface::New(e.keyword(), e.dict(), bodies_)
-            );
+            for (const entry& e : list)
+            {
+                if (generalInterface::describedBy(e.dict()) == general)
+                {
+                    contactInterface::append
+                    (
+                        e.keyword(), e.dict(), bodies_, interfaces_
+                    );
+                }
+            }
         }
     }
 
@@ -790,7 +793,6 @@ Foam::solidSystem::solidSystem(Time& runTime)
     largestGradient_.setSize(bodies_.size(), scalar(0));
     bodyStep_.setSize(bodies_.size(), scalar(0));
     oldStatus_.setSize(bodies_.size());
-    oldImpulses_.setSize(interfaces_.size());
     initialEnergy_.setSize(bodies_.size(), scalar(0));
     readAccounts(record);
     leastLimit_.read(record);
@@ -921,14 +923,14 @@ void Foam::solidSystem::startStep()
         {
             if (contact.moves())
             {
-                contact.update(runTime_.value());
+                contact.update(runTime_.value(), pairAll_);
             }
         }
         for (solidBody& body : bodies_)
         {
             body.forgetRates();
         }
-        pairAgain_ = false;
+        pairAgain_ = pairAll_ = false;
         ++nPairings_;
         pairingSeconds_ += secondsSince(start);
     }
@@ -948,10 +950,9 @@ void Foam::solidSystem::startStep()
             bodies_[i].keepOld();
         }
     }
-    forAll(interfaces_, i)
+    for (contactInterface& contact : interfaces_)
     {
-        oldImpulses_[i].first() = interfaces_[i].impulse();
-        oldImpulses_[i].second() = interfaces_[i].plusImpulse();
+        contact.keepImpulse();
     }
 
     // With the leapfrog the last step did, unless the state was written or the

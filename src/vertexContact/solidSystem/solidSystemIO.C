@@ -124,7 +124,8 @@ void Foam::solidSystem::checkImpacts() const
     // The speed of waves follows the stretch anyway
     if (integrator_.leapfrog()) return;
 
-    for (const contactInterface& contact : interfaces_)
+    for (const contactInterface& all : interfaces_)
+    for (const contactInterface& contact : all.parts())
     {
         const List<contactSide> sides(contact.sides());
         const solidBody& a = *sides.first().body;
@@ -249,17 +250,11 @@ void Foam::solidSystem::readAccounts(const dictionary& dict)
         }
         for (contactInterface& contact : interfaces_)
         {
-            if
-            (
-                Pstream::master()
-             && dict.found("interface_" + contact.name())
-            )
+            if (dict.found("interface_" + contact.name()))
             {
-                const dictionary& d =
-                    dict.subDict("interface_" + contact.name());
-                contact.setImpulse
+                contact.readRecord
                 (
-                    d.get<vector>("impulse"), d.get<vector>("plusImpulse")
+                    dict.subDict("interface_" + contact.name())
                 );
             }
         }
@@ -490,6 +485,7 @@ bool Foam::solidSystem::writeData(Ostream& os) const
     for (const contactInterface& contact : interfaces_)
     {
         self.pairAgain_ = pairAgain_ || contact.moves();
+        self.pairAll_ = self.pairAgain_;
     }
 
     // In binary files, uniform fields are text: 17 digits bring back the same
@@ -537,18 +533,9 @@ bool Foam::solidSystem::writeData(Ostream& os) const
     }
     for (const contactInterface& contact : interfaces_)
     {
-        const vector impulse
-        (
-            returnReduce(contact.impulse(), sumOp<vector>())
-        );
-        const vector plusImpulse
-        (
-            returnReduce(contact.plusImpulse(), sumOp<vector>())
-        );
-        text<< "interface_" << contact.name() << nl << '{' << nl
-            << "    impulse " << impulse << ';' << nl
-            << "    plusImpulse " << plusImpulse << ';' << nl
-            << '}' << nl;
+        text<< "interface_" << contact.name() << nl << '{' << nl;
+        contact.writeRecord(text);
+        text<< '}' << nl;
     }
 
     const int precision = os.precision(17);

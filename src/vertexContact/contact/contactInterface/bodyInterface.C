@@ -6,6 +6,7 @@
 
 #include "bodyInterface.H"
 #include "solidBody.H"
+#include "surfaceSelection.H"
 #include "dictionaryCheck.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -49,7 +50,7 @@ Foam::contactSide Foam::bodyInterface::readSide
             << "two, each a region and a patch, as in "
             << "((bar1 right) (bar2 left))" << exit(FatalIOError);
     }
-    return findSide(dict, "sides", sides[which], bodies);
+    return surfaceSelection::single(dict, "sides", sides[which], bodies);
 }
 
 
@@ -283,9 +284,24 @@ Foam::bodyInterface::bodyInterface
     PtrList<solidBody>& bodies
 )
 :
+    bodyInterface
+    (
+        name, dict, readSide(dict, bodies, 0), readSide(dict, bodies, 1)
+    )
+{}
+
+
+Foam::bodyInterface::bodyInterface
+(
+    const word& name,
+    const dictionary& dict,
+    const contactSide& minus,
+    const contactSide& plus
+)
+:
     contactInterface(name, dict),
-    minus_(readSide(dict, bodies, 0)),
-    plus_(readSide(dict, bodies, 1)),
+    minus_(minus),
+    plus_(plus),
     twoWay_(readTwoWay(dict)),
     pairing_(contactPairing::New(dict, minus_, plus_))
 {
@@ -320,7 +336,7 @@ Foam::Pair<Foam::string> Foam::bodyInterface::sideNames() const
 }
 
 
-void Foam::bodyInterface::update(const scalar time)
+void Foam::bodyInterface::update(const scalar time, const bool)
 {
     pairing_->update(time);
     resize();

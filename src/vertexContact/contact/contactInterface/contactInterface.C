@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "bodyInterface.H"
+#include "generalInterface.H"
 #include "obstacleInterface.H"
 #include "solidBody.H"
 #include "dictionaryCheck.H"
@@ -27,37 +28,6 @@ Foam::autoPtr<Foam::contactLaw> Foam::contactInterface::newLaw
 
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
-
-Foam::contactSide Foam::contactInterface::findSide
-(
-    const dictionary& dict,
-    const word& keyword,
-    const Pair<word>& names,
-    PtrList<solidBody>& bodies
-)
-{
-    wordList regions(bodies.size());
-    forAll(bodies, i)
-    {
-        regions[i] = bodies[i].name();
-        if (regions[i] == names.first())
-        {
-            const word& patch = names.second();
-            return contactSide
-            {
-                &bodies[i], bodies[i].contactPatch(dict, keyword, patch), patch
-            };
-        }
-    }
-
-    FatalIOErrorInFunction(dict)
-        << "Keyword '" << keyword << "': there is no region '"
-        << names.first() << "'." << nl << "Regions: "
-        << dictionaryCheck::listed(regions).c_str() << exit(FatalIOError);
-
-    return contactSide();
-}
-
 
 Foam::contactInterface::answerMessage Foam::contactInterface::noAnswer()
 {
@@ -257,29 +227,61 @@ Foam::contactInterface::contactInterface
 )
 :
     name_(name),
+    dictName_(name),
     impulse_(Zero),
     plusImpulse_(Zero),
+    oldImpulse_(Zero),
+    oldPlusImpulse_(Zero),
     law_(newLaw(dict))
 {}
 
 
 // * * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * //
 
-Foam::autoPtr<Foam::contactInterface> Foam::contactInterface::New
+void Foam::contactInterface::append
 (
     const word& name,
     const dictionary& dict,
-    PtrList<solidBody>& bodies
+    PtrList<solidBody>& bodies,
+    PtrList<contactInterface>& interfaces
 )
 {
+    const label first = interfaces.size();
     if (dict.found("obstacle") || dict.found("side"))
     {
-        return autoPtr<contactInterface>
+        dictionaryCheck::onlyKeywords(dict, obstacleInterface::keywords());
+        const surfaceSelection::expression which
         (
-            new obstacleInterface(name, dict, bodies)
+            surfaceSelection::read(dict, "side")
         );
+        for
+        (
+            const contactSide& side
+          : surfaceSelection::select(dict, "side", which, bodies)
+        )
+        {
+            const word its
+            (
+                which.literal() ? name
+              : word(name + '.' + surfaceSelection::name(side))
+            );
+            interfaces.append(new obstacleInterface(its, dict, side));
+        }
     }
-    return autoPtr<contactInterface>(new bodyInterface(name, dict, bodies));
+    else if (generalInterface::describedBy(dict))
+    {
+        UPtrList<contactInterface> others(first);
+        forAll(others, i) others.set(i, &interfaces[i]);
+        interfaces.append(new generalInterface(name, dict, bodies, others));
+    }
+    else
+    {
+        interfaces.append(new bodyInterface(name, dict, bodies));
+    }
+    for (label i = first; i < interfaces.size(); ++i)
+    {
+        interfaces[i].setDictName(name);
+    }
 }
 
 
@@ -314,6 +316,38 @@ void Foam::contactInterface::setImpulse
 {
     impulse_ = minus;
     plusImpulse_ = plus;
+}
+
+
+void Foam::contactInterface::keepImpulse()
+{
+    oldImpulse_ = impulse_;
+    oldPlusImpulse_ = plusImpulse_;
+}
+
+
+void Foam::contactInterface::restoreImpulse()
+{
+    setImpulse(oldImpulse_, oldPlusImpulse_);
+}
+
+
+void Foam::contactInterface::writeRecord(Ostream& os) const
+{
+    os  << "    impulse " << returnReduce(impulse_, sumOp<vector>()) << ';'
+        << nl << "    plusImpulse "
+        << returnReduce(plusImpulse_, sumOp<vector>()) << ';' << nl;
+}
+
+
+void Foam::contactInterface::readRecord(const dictionary& record)
+{
+    const scalar share = Pstream::master() ? 1 : 0;
+    setImpulse
+    (
+        share*record.get<vector>("impulse"),
+        share*record.get<vector>("plusImpulse")
+    );
 }
 
 

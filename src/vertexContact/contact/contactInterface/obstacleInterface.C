@@ -11,17 +11,6 @@
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::contactSide Foam::obstacleInterface::readSide
-(
-    const dictionary& dict,
-    PtrList<solidBody>& bodies
-)
-{
-    dictionaryCheck::onlyKeywords(dict, keywords());
-    return findSide(dict, "side", dict.get<Pair<word>>("side"), bodies);
-}
-
-
 Foam::autoPtr<Foam::searchableSurface>
 Foam::obstacleInterface::readSurface
 (
@@ -128,11 +117,11 @@ Foam::obstacleInterface::obstacleInterface
 (
     const word& name,
     const dictionary& dict,
-    PtrList<solidBody>& bodies
+    const contactSide& side
 )
 :
     contactInterface(name, dict),
-    side_(readSide(dict, bodies)),
+    side_(side),
     surface_(readSurface(name, dict, side_.body->mesh().time())),
     motion_(dict, side_.body->mesh().time()),
     leastWidth_(GREAT),
@@ -158,7 +147,7 @@ Foam::obstacleInterface::obstacleInterface
     // A hundredth of the time that a wave takes through a face
     motion_.setInterval(0.01*leastWidth_/side_.body->material().cp());
 
-    update(side_.body->mesh().time().value());
+    update(side_.body->mesh().time().value(), true);
 }
 
 
@@ -214,7 +203,7 @@ bool Foam::obstacleInterface::outdated(const scalar time)
 }
 
 
-void Foam::obstacleInterface::update(const scalar time)
+void Foam::obstacleInterface::update(const scalar time, const bool)
 {
     const dualPatch& patch = side_.body->dual().patches()[side_.patchi];
     const label n = patch.nCorners();

@@ -40,7 +40,7 @@ Foam::functionObjects::contactForces::contactForces
         if (Pstream::master())
         {
             OFstream& os = *file;
-            os  << "# Time[s]";
+            os  << "# Time[s]" << (contact.many() ? " minus plus" : "");
             const Pair<string> sides(contact.sideNames());
             for (const string* side : {&sides.first(), &sides.second()})
             {
@@ -67,8 +67,9 @@ Foam::functionObjects::contactForces::contactForces
 bool Foam::functionObjects::contactForces::write()
 {
     forAll(solids_.interfaces(), i)
+    for (const contactInterface& contact : solids_.interfaces()[i].parts())
     {
-        const contactInterface& contact = solids_.interfaces()[i];
+        const bool many = solids_.interfaces()[i].many();
         const contactInterface::statistics& mine = contact.stageStatistics();
 
         const vector values[4] =
@@ -88,10 +89,17 @@ bool Foam::functionObjects::contactForces::write()
         const label nStick = returnReduce(mine.nStick, sumOp<label>());
         const label nSlip = returnReduce(mine.nSlip, sumOp<label>());
 
-        if (Pstream::master())
+        // Of many surfaces, the pairs that touch
+        if (Pstream::master() && (!many || nStick + nSlip > 0))
         {
             OFstream& os = files_[i];
             os  << runTime_.value();
+            if (many)
+            {
+                const Pair<string> sides(contact.sideNames());
+                os  << ' ' << sides.first().c_str()
+                    << ' ' << sides.second().c_str();
+            }
             for (const vector& v : values)
             {
                 os  << ' ' << v.x() << ' ' << v.y() << ' ' << v.z();

@@ -1,0 +1,322 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "generalInterface.H"
+#include "contactSurface.H"
+#include "pointTree.H"
+#include "solidBody.H"
+#include "ListListOps.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- All processors' sums of flags
+boolList anywhere(const boolList& mine)
+{
+    if (!Pstream::parRun()) return mine;
+    List<boolList> all(Pstream::nProcs());
+    all[Pstream::myProcNo()] = mine;
+    Pstream::gatherList(all);
+    Pstream::scatterList(all);
+    boolList any(mine);
+    for (const boolList& some : all)
+    {
+        forAll(any, i) any[i] = any[i] || some[i];
+    }
+    return any;
+}
+
+//- All processors' boxes of each
+List<boundBox> everywhere(const List<boundBox>& mine)
+{
+    if (!Pstream::parRun()) return mine;
+    List<List<boundBox>> all(Pstream::nProcs());
+    all[Pstream::myProcNo()] = mine;
+    Pstream::gatherList(all);
+    Pstream::scatterList(all);
+    List<boundBox> whole(mine);
+    for (const List<boundBox>& some : all)
+    {
+        forAll(whole, i)
+        {
+            whole[i].min() = min(whole[i].min(), some[i].min());
+            whole[i].max() = max(whole[i].max(), some[i].max());
+        }
+    }
+    return whole;
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::labelList Foam::generalInterface::candidates(const scalar time)
+{
+    // Until the next search each side moves by reach_ at most, and pairings
+    // look as far as twice that
+    const scalar grown = 2*reach_;
+    vector frame(Zero);
+    List<boundBox> boxes(surfaces_.size());
+    forAll(surfaces_, i)
+    {
+        boxes[i] = motions_[i].box();
+        frame += surfaces_[i].body->meanVelocity()/surfaces_.size();
+    }
+    boxes = everywhere(boxes);
+
+    pointField centres(boxes.size());
+    scalarField radius(boxes.size());
+    forAll(boxes, i)
+    {
+        boxes[i].min() -= grown*vector::one;
+        boxes[i].max() += grown*vector::one;
+        centres[i] = boxes[i].midpoint();
+        radius[i] = 0.5*boxes[i].mag();
+        motions_[i].start
+        (
+            time,
+            reach_,
+            returnReduce(motions_[i].speed(frame), maxOp<scalar>())
+          + 0.1*surfaces_[i].body->material().cp(),
+            frame
+        );
+    }
+    const autoPtr<pointTree> tree(newPointTree(centres, max(radius)));
+
+    // Each finds those that are not larger than itself
+    labelHashSet near;
+    forAll(boxes, i)
+    {
+        treeBoundBox around(boxes[i]);
+        around.min() -= radius[i]*vector::one;
+        around.max() += radius[i]*vector::one;
+        for (const label j : tree->findBox(around))
+        {
+            if
+            (
+                radius[j] <= radius[i] && boxes[i].overlaps(boxes[j])
+             && rule_[key(i, j)] >= 0
+            )
+            {
+                near.insert(key(i, j));
+            }
+        }
+    }
+    return near.sortedToc();
+}
+
+
+void Foam::generalInterface::collect()
+{
+    statistics_ = statistics();
+    for (const bodyInterface& part : parts_)
+    {
+        const statistics& s = part.stageStatistics();
+        statistics_.force += s.force;
+        statistics_.plusForce += s.plusForce;
+        statistics_.area += s.area;
+        statistics_.peakPressure =
+            max(statistics_.peakPressure, s.peakPressure);
+        statistics_.penetration =
+            max(statistics_.penetration, s.penetration);
+        statistics_.relativePenetration =
+            max(statistics_.relativePenetration, s.relativePenetration);
+        statistics_.closing = max(statistics_.closing, s.closing);
+        statistics_.nOpen += s.nOpen;
+        statistics_.nStick += s.nStick;
+        statistics_.nSlip += s.nSlip;
+        if (lost_.empty()) lost_ = part.lost();
+    }
+}
+
+
+Foam::word Foam::generalInterface::partName(const label key) const
+{
+    const label n = surfaces_.size();
+    return word
+    (
+        name() + '.' + surfaceSelection::name(surfaces_[key/n]) + '-'
+      + surfaceSelection::name(surfaces_[key % n])
+    );
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::generalInterface::generalInterface
+(
+    const word& name,
+    const dictionary& dict,
+    PtrList<solidBody>& bodies,
+    const UPtrList<contactInterface>& others
+)
+:
+    contactInterface(name, dict),
+    reach_(0)
+{
+    List<List<contactSide>> taken(others.size());
+    forAll(others, i)
+    {
+        // Pairs of other sets are in their rules
+        taken[i] = others[i].sides();
+    }
+    readRules(dict, bodies, taken);
+
+    motions_.setSize(surfaces_.size());
+    forAll(surfaces_, i)
+    {
+        const contactSide& side = surfaces_[i];
+        motions_.set(i, new surfaceMotion(side));
+        const label n = side.body->dual().patches()[side.patchi].nCorners();
+        for
+        (
+            const contactFace& f
+          : contactSurface::faces(side, globalIndex(n), false)
+        )
+        {
+            reach_ = max(reach_, max(f.radius(), f.width));
+        }
+    }
+    reduce(reach_, maxOp<scalar>());
+
+    update(bodies[0].mesh().time().value(), true);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::Pair<Foam::string> Foam::generalInterface::sideNames() const
+{
+    return Pair<string>("minus", "plus");
+}
+
+
+Foam::UPtrList<const Foam::contactInterface>
+Foam::generalInterface::parts() const
+{
+    UPtrList<const contactInterface> list(parts_.size());
+    forAll(parts_, i) list.set(i, &parts_[i]);
+    return list;
+}
+
+
+bool Foam::generalInterface::outdated(const scalar time)
+{
+    for (const surfaceMotion& motion : motions_)
+    {
+        if (motion.exceeded(time)) return true;
+    }
+    for (bodyInterface& part : parts_)
+    {
+        if (part.bodyInterface::outdated(time)) return true;
+    }
+    return false;
+}
+
+
+void Foam::generalInterface::update(const scalar time, const bool all)
+{
+    boolList moved;
+    moved.setSize(keys_.size(), all);
+    bool search = all;
+    if (!all)
+    {
+        for (const surfaceMotion& motion : motions_)
+        {
+            search = search || motion.exceeded(time, 0.5);
+        }
+        reduce(search, orOp<bool>());
+        forAll(parts_, i) moved[i] = parts_[i].outdated(time, 0.5);
+        moved = anywhere(moved);
+    }
+
+    // What is there and near stays
+    labelList keys(keys_);
+    if (search) keys = candidates(time);
+
+    PtrList<bodyInterface> parts(keys.size());
+    label old = 0;
+    forAll(keys, i)
+    {
+        while (old < keys_.size() && keys_[old] < keys[i]) ++old;
+        if (old < keys_.size() && keys_[old] == keys[i])
+        {
+            parts.set(i, parts_.set(old, nullptr).ptr());
+            if (moved[old]) parts[i].update(time, all);
+            continue;
+        }
+        const label n = surfaces_.size();
+        parts.set
+        (
+            i,
+            new bodyInterface
+            (
+                partName(keys[i]), rules_[rule_[keys[i]]],
+                surfaces_[keys[i]/n], surfaces_[keys[i] % n]
+            )
+        );
+        if (past_.found(keys[i]))
+        {
+            const Pair<vector>& impulse = past_[keys[i]];
+            parts[i].setImpulse(impulse.first(), impulse.second());
+        }
+    }
+    forAll(parts_, i)
+    {
+        if (parts_.set(i))
+        {
+            past_.set
+            (
+                keys_[i],
+                Pair<vector>(parts_[i].impulse(), parts_[i].plusImpulse())
+            );
+        }
+    }
+    keys_.transfer(keys);
+    parts_.transfer(parts);
+}
+
+
+void Foam::generalInterface::remember()
+{
+    for (bodyInterface& part : parts_) part.remember();
+}
+
+
+void Foam::generalInterface::solve(const scalar time, const bool firstStage)
+{
+    for (bodyInterface& part : parts_) part.solve(time, firstStage);
+    collect();
+}
+
+
+void Foam::generalInterface::accumulate(const scalar weightedDeltaT)
+{
+    contactInterface::accumulate(weightedDeltaT);
+    for (bodyInterface& part : parts_) part.accumulate(weightedDeltaT);
+}
+
+
+void Foam::generalInterface::keepImpulse()
+{
+    contactInterface::keepImpulse();
+    for (bodyInterface& part : parts_) part.keepImpulse();
+}
+
+
+void Foam::generalInterface::restoreImpulse()
+{
+    contactInterface::restoreImpulse();
+    for (bodyInterface& part : parts_) part.restoreImpulse();
+}
+
+
+// ************************************************************************* //

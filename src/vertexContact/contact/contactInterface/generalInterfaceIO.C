@@ -1,0 +1,380 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "generalInterface.H"
+#include "solidBody.H"
+#include "dictionaryCheck.H"
+#include "IStringStream.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+using surfaceSelection::expression;
+
+//- Two sets of surfaces
+FixedList<List<contactSide>, 2> readSets
+(
+    const dictionary& dict,
+    const word& keyword,
+    const expression& e,
+    PtrList<solidBody>& bodies
+)
+{
+    if (e.leaf || e.list.size() != 2 || e.surface())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Keyword '" << keyword << "' needs two sets of surfaces, as in "
+            << "((bar1 right) (\"disc.*\" surface))" << exit(FatalIOError);
+    }
+    FixedList<List<contactSide>, 2> sets;
+    forAll(sets, i)
+    {
+        sets[i] = surfaceSelection::select(dict, keyword, e.list[i], bodies);
+    }
+    return sets;
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::label Foam::generalInterface::indexOf(const contactSide& side) const
+{
+    forAll(surfaces_, i)
+    {
+        if (surfaces_[i] == side) return i;
+    }
+    return -1;
+}
+
+
+Foam::labelList Foam::generalInterface::keysOf
+(
+    const List<contactSide>& a,
+    const List<contactSide>& b
+) const
+{
+    labelHashSet keys;
+    for (const contactSide& s : a)
+    {
+        const label i = indexOf(s);
+        if (i < 0) continue;
+        for (const contactSide& t : b)
+        {
+            const label j = indexOf(t);
+            if (j >= 0) keys.insert(key(i, j));
+        }
+    }
+    return keys.sortedToc();
+}
+
+
+Foam::autoPtr<Foam::dictionary> Foam::generalInterface::partDict
+(
+    const dictionary& dict,
+    const dictionary& lawDict
+)
+{
+    autoPtr<dictionary> part(new dictionary(lawDict.name()));
+    part->add("pairing", word("nearestFace"));
+    if (dict.found("updateDistance"))
+    {
+        part->add("updateDistance", dict.get<scalar>("updateDistance"));
+    }
+    if (lawDict.found("law"))
+    {
+        part->add("law", lawDict.subDict("law"));
+        if (contactLaw::New(lawDict.subDict("law"))->bonded())
+        {
+            FatalIOErrorInFunction(lawDict)
+                << "Keyword 'law': what is tied needs an interface of its "
+                << "own, with two sides" << exit(FatalIOError);
+        }
+    }
+    return part;
+}
+
+
+void Foam::generalInterface::readRules
+(
+    const dictionary& dict,
+    PtrList<solidBody>& bodies,
+    const List<List<contactSide>>& taken
+)
+{
+    dictionaryCheck::onlyKeywords(dict, keywords());
+    const word pairing(dict.getOrDefault<word>("pairing", "nearestFace"));
+    if (pairing != "nearestFace")
+    {
+        dictionaryCheck::unknownModel
+        (
+            dict, "pairing", pairing, wordList(1, word("nearestFace"))
+        );
+    }
+    if (dict.found("surfaces") == dict.found("sides"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Keyword 'surfaces': there must be either that or 'sides'"
+            << exit(FatalIOError);
+    }
+
+    // Who meets whom
+    labelList meet;
+    if (dict.found("surfaces"))
+    {
+        const expression e(surfaceSelection::read(dict, "surfaces"));
+        surfaces_ =
+            e.leaf && e.name == "all"
+          ? surfaceSelection::all(bodies)
+          : surfaceSelection::select(dict, "surfaces", e, bodies);
+        rule_.setSize(surfaces_.size()*surfaces_.size(), label(-1));
+        meet = keysOf(surfaces_, surfaces_);
+    }
+    else
+    {
+        const auto sets = readSets
+        (
+            dict, "sides", surfaceSelection::read(dict, "sides"), bodies
+        );
+        DynamicList<contactSide> both(sets[0]);
+        for (const contactSide& s : sets[1])
+        {
+            bool there = false;
+            for (const contactSide& t : sets[0]) there = there || s == t;
+            if (!there) both.append(s);
+        }
+        surfaces_ = both;
+        rule_.setSize(surfaces_.size()*surfaces_.size(), label(-1));
+        meet = keysOf(sets[0], sets[1]);
+    }
+    const label n = surfaces_.size();
+    const bool self = dict.getOrDefault("self", true);
+    for (const label k : meet)
+    {
+        if (self || k/n != k % n) rule_[k] = 0;
+    }
+
+    rules_.setSize(1);
+    rules_.set(0, partDict(dict, dict).ptr());
+    if (dict.found("pairs"))
+    {
+        for (const entry& e : dict.subDict("pairs"))
+        {
+            if (!e.isDict())
+            {
+                FatalIOErrorInFunction(dict.subDict("pairs"))
+                    << "Keyword '" << e.keyword() << "' is not a dictionary, "
+                    << "of 'sides' and a 'law'" << exit(FatalIOError);
+            }
+            const dictionary& d = e.dict();
+            dictionaryCheck::onlyKeywords(d, wordList({"sides", "law"}));
+            d.subDict("law");
+            const auto sets = readSets
+            (
+                d, "sides", surfaceSelection::read(d, "sides"), bodies
+            );
+            rules_.append(partDict(dict, d).ptr());
+            for (const label k : keysOf(sets[0], sets[1]))
+            {
+                if (rule_[k] > 0)
+                {
+                    FatalIOErrorInFunction(d)
+                        << "Keyword 'sides': the pair "
+                        << surfaceSelection::name(surfaces_[k/n]).c_str()
+                        << " and "
+                        << surfaceSelection::name(surfaces_[k % n]).c_str()
+                        << " has two laws: here, and in an entry of 'pairs' "
+                        << "before" << exit(FatalIOError);
+                }
+                if (rule_[k] == 0) rule_[k] = rules_.size() - 1;
+            }
+        }
+    }
+
+    if (dict.found("exclude"))
+    {
+        const expression e(surfaceSelection::read(dict, "exclude"));
+
+        // One pair, or a list of them
+        const bool one =
+            e.list.size() == 2 && e.list[0].surface() && e.list[1].surface();
+        const List<expression> pairs
+        (
+            one ? List<expression>(1, e) : e.list
+        );
+        for (const expression& p : pairs)
+        {
+            const auto sets = readSets(dict, "exclude", p, bodies);
+            for (const label k : keysOf(sets[0], sets[1])) rule_[k] = -1;
+        }
+    }
+
+    // Pairs with an interface of their own
+    boolList meets;
+    meets.setSize(n, false);
+    for (const List<contactSide>& sides : taken)
+    {
+        if (sides.size() != 2) continue;
+        const label i = indexOf(sides[0]), j = indexOf(sides[1]);
+        if (i < 0 || j < 0) continue;
+        rule_[key(i, j)] = -1;
+        meets[i] = meets[j] = true;
+    }
+
+    forAll(rule_, k)
+    {
+        if (rule_[k] >= 0) meets[k/n] = meets[k % n] = true;
+    }
+    forAll(meets, i)
+    {
+        if (!meets[i])
+        {
+            FatalIOErrorInFunction(dict)
+                << "Keyword '"
+                << (dict.found("exclude") ? "exclude" : "surfaces")
+                << "': nothing is left that "
+                << surfaceSelection::name(surfaces_[i]).c_str()
+                << " may touch. Surfaces that touch nothing have the type "
+                << "'tractionFree' in pointU" << exit(FatalIOError);
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::keywordList Foam::generalInterface::keywords()
+{
+    return
+    {
+        {"surfaces", "", "or sides", "all, or a list of surfaces"},
+        {"sides", "", "or surfaces", "two sets of surfaces"},
+        {"self", "", "yes", "surfaces meet themselves"},
+        {"exclude", "", "none", "a pair of sets, or a list of such pairs"},
+        {"pairs", "", "none", "dictionaries, each of sides and a law"},
+        {"pairing", "", "nearestFace", "no other"},
+        {
+            "updateDistance", "-", "0.1",
+            "face widths a node may move until they are paired again"
+        },
+        {"law", "", "frictionless", "dictionary of the contact law, not tied"}
+    };
+}
+
+
+bool Foam::generalInterface::describedBy(const dictionary& dict)
+{
+    if (dict.found("surfaces")) return true;
+    if (!dict.found("sides")) return false;
+    const expression e(surfaceSelection::read(dict, "sides"));
+    for (const expression& side : e.list)
+    {
+        if (!side.leaf && !side.literal() && side.list.size()) return true;
+    }
+    return false;
+}
+
+
+void Foam::generalInterface::readLaw(const dictionary& dict)
+{
+    rules_.set(0, partDict(dict, dict).ptr());
+    label n = 1;
+    if (dict.found("pairs"))
+    {
+        for (const entry& e : dict.subDict("pairs"))
+        {
+            if (n < rules_.size())
+            {
+                rules_.set(n++, partDict(dict, e.dict()).ptr());
+            }
+        }
+    }
+    forAll(parts_, i) parts_[i].readLaw(rules_[rule_[keys_[i]]]);
+}
+
+
+void Foam::generalInterface::writeRecord(Ostream& os) const
+{
+    contactInterface::writeRecord(os);
+
+    // Of all pairs that have touched: all ranks have the same
+    Map<Pair<vector>> all(past_);
+    forAll(parts_, i)
+    {
+        all.set
+        (
+            keys_[i], Pair<vector>(parts_[i].impulse(), parts_[i].plusImpulse())
+        );
+    }
+    os  << "    pairs" << nl << "    {" << nl;
+    for (const label k : all.sortedToc())
+    {
+        const vector minus
+        (
+            returnReduce(all[k].first(), sumOp<vector>())
+        );
+        const vector plus
+        (
+            returnReduce(all[k].second(), sumOp<vector>())
+        );
+        if (mag(minus) + mag(plus) > 0)
+        {
+            os  << "        \"" << partName(k) << "\" { impulse " << minus
+                << "; plusImpulse " << plus << "; }" << nl;
+        }
+    }
+    os  << "    }" << nl;
+}
+
+
+void Foam::generalInterface::readRecord(const dictionary& record)
+{
+    contactInterface::readRecord(record);
+    const dictionary& pairs = record.subOrEmptyDict("pairs");
+    forAll(rule_, k)
+    {
+        if (rule_[k] < 0 || !pairs.found(partName(k), keyType::LITERAL))
+        {
+            continue;
+        }
+        const dictionary& d = pairs.subDict(partName(k), keyType::LITERAL);
+        const scalar share = Pstream::master() ? 1 : 0;
+        const vector minus(share*d.get<vector>("impulse"));
+        const vector plus(share*d.get<vector>("plusImpulse"));
+        const label i = findIndex(keys_, k);
+        if (i >= 0)
+        {
+            parts_[i].setImpulse(minus, plus);
+        }
+        else
+        {
+            past_.set(k, Pair<vector>(minus, plus));
+        }
+    }
+}
+
+
+void Foam::generalInterface::report(Ostream& os) const
+{
+    label nPairs = 0;
+    for (const label rule : rule_) nPairs += (rule >= 0);
+    os  << "Interface " << name() << ": " << surfaces_.size()
+        << " surfaces, of whose pairs " << nPairs << " may meet and "
+        << parts_.size() << " are near, pairing nearestFace, law "
+        << law_->type();
+    if (rules_.size() > 1)
+    {
+        os  << ", " << rules_.size() - 1 << " other laws for pairs";
+    }
+    os  << nl;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,107 @@
+#!/usr/bin/env python3
+"""What general contact costs: time and memory by the number of bodies.
+
+    . etc/bashrc; tests/benchmark/generalContact.py
+
+Squares of 8 x 8 cells on a grid fly to the middle, one after the other they
+meet their four neighbours; and blocks of many faces in 3D of which a few touch.
+One core. Share: of searching and of forces in the time of the steps, from the
+log of the solver. Memory: the largest that the program used, beside that of the
+same bodies without contact. Writes generalContact.md beside this file.
+"""
+
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+here = Path(__file__).resolve().parent
+root = here.parents[1]
+sys.path[:0] = [str(root/"tests"/"verification"), str(root/"tutorials")]
+
+from smallCases import Body, SmallCase
+
+MATERIAL = {"type": "neoHookean", "rho": 1000, "E": 1e6, "nu": 0.3}
+SQUARES = (4, 10, 32)       # on a side of the grid
+ALL = {"all": {"surfaces": "all"}}
+
+
+def squares(n, contact):
+    def body(i, j):
+        sides = {s: "contact" for s in ("left", "right", "bottom", "top")}
+        middle = 0.5*(n - 1)
+        return Body(cells=(8, 8), name=f"b{i}x{j}", material=MATERIAL,
+                    start=(1.01*i, 1.01*j, 0), sides=sides if contact else {},
+                    velocity=(2*(middle - i)/n, 2*(middle - j)/n, 0))
+    return [body(i, j) for i in range(n) for j in range(n)]
+
+
+def blocks(cells, contact):
+    """Two cubes that meet with an edge of each face: a twentieth of 10^5 faces
+    is near."""
+    def body(name, start, velocity):
+        sides = {s: "contact" for s in (
+            "left", "right", "bottom", "top", "back", "front")}
+        return Body(cells=(cells,)*3, name=name, material=MATERIAL,
+                    start=start, sides=sides if contact else {},
+                    velocity=velocity)
+    return [body("a", (0, 0, 0), (1, 0, 0)),
+            body("b", (1.001, 0.8, 0), (-1, 0, 0))]
+
+
+def measured(bodies, contact, end, folder):
+    case = SmallCase(folder, bodies, end, ALL if contact else None,
+                     preset="balanced",
+                     control={"maxCo": 0.9, "functions": {},
+                              "writeControl": "none"})
+    done = subprocess.run(
+        ["/usr/bin/env", "python3", "-c",
+         "import resource, subprocess, sys; "
+         "r = subprocess.run(['vertexContactFoam'], capture_output=True, "
+         "text=True); print(r.stdout); "
+         "print('PEAK', resource.getrusage(resource.RUSAGE_CHILDREN)"
+         ".ru_maxrss); sys.exit(r.returncode)"],
+        cwd=case.path, capture_output=True, text=True)
+    log = done.stdout
+    if done.returncode:
+        sys.exit(log[-3000:])
+    steps, seconds = re.search(r"Steps: (\d+) in (\S+) s", log).groups()
+    share = re.search(r"Contact: (\S+) % of the time of the steps in (\d+) "
+                      r"pairings, (\S+) % in", log)
+    near = re.search(r"may meet and (\d+) are near", log)
+    return {"ms": 1e3*float(seconds)/int(steps), "steps": int(steps),
+            "share": [float(share[1]), int(share[2]), float(share[3])]
+            if share else None,
+            "near": int(near[1]) if near else 0,
+            "MB": int(re.search(r"PEAK (\d+)", log)[1])/1024}
+
+
+def main():
+    lines = []
+    scenes = [(f"{n*n} squares", n*n*32, lambda c, n=n: squares(n, c), 0.05)
+              for n in SQUARES]
+    scenes += [(f"two cubes of {n}^3 cells", 12*n*n,
+                lambda c, n=n: blocks(n, c), 0.3/n) for n in (30, 91)]
+    with tempfile.TemporaryDirectory() as folder:
+        for i, (what, faces, make, end) in enumerate(scenes):
+            off, on = (measured(make(c), c, end, Path(folder)/f"{i}{c}")
+                       for c in (False, True))
+            search, n, forces = on["share"]
+            lines.append(
+                f"| {what} | {faces:,} | {on['near']} | {off['ms']:.3g} | "
+                f"{on['ms']:.3g} | {search:.1f} % | {on['steps']/max(n, 1):.0f}"
+                f" | {forces:.1f} % | {off['MB']:.0f} | {on['MB']:.0f} |")
+            print(lines[-1], flush=True)
+    (here/"generalContact.md").write_text(f"""# What general contact costs
+
+Written by `tests/benchmark/generalContact.py`: `surfaces all`, one core, `balanced`. *Near* are the pairs of surfaces that are looked at in a step; *search* is the
+share of finding pairs and pairings in the time of the steps, *forces* that of contact in each step. The same bodies without contact are beside it.
+
+| | faces | near at first | free [ms a step] | contact [ms a step] | search | steps a pairing | forces | free [MB] | contact [MB] |
+|---|---|---|---|---|---|---|---|---|---|
+""" + "\n".join(lines) + "\n")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,200 @@
+"""One entry for many surfaces: the same as named interfaces, in any order of
+bodies, on any ranks, from any restart; laws by pair; what is refused."""
+
+import shutil
+
+import numpy as np
+import pytest
+
+from caseTools import checked
+from smallCases import Body, SmallCase, coulomb, interface
+
+MATERIAL = {"type": "neoHookean", "rho": 1000, "E": 1e6, "nu": 0.3}
+END = 0.05
+
+
+def squares(gap=0.05):
+    """Four blocks of a metre on a grid of two by two that fly to the middle:
+    each meets two others, and all four their corners."""
+    bodies = []
+    for i in range(2):
+        for j in range(2):
+            sides = {("right", "left")[i]: "contact",
+                     ("top", "bottom")[j]: "contact"}
+            bodies.append(Body(
+                cells=(4 + i, 4 + j), name=f"square{i}{j}", size=(1, 1, 1),
+                start=(i*(1 + gap), j*(1 + gap), 0), sides=sides,
+                material=MATERIAL, velocity=(2 - 4*i, 1.5 - 3*j, 0)))
+    return bodies
+
+
+NAMED = {
+    "bottom": interface(("square00", "right"), ("square10", "left"),
+                        pairing="nearestFace"),
+    "top": interface(("square01", "right"), ("square11", "left"),
+                     pairing="nearestFace"),
+    "left": interface(("square00", "top"), ("square01", "bottom"),
+                      pairing="nearestFace"),
+    "right": interface(("square10", "top"), ("square11", "bottom"),
+                       pairing="nearestFace")}
+ALL = {"all": {"surfaces": "all"}}
+
+
+def case(folder, interfaces, bodies=None, **control):
+    return SmallCase(
+        folder, bodies or squares(), END, interfaces,
+        functions=("contactForces",), preset="balanced",
+        control={"maxCo": 0.9, **control})
+
+
+def solve(case, ranks=1):
+    code, log = case.attempt(ranks)
+    if code:
+        raise RuntimeError(log)
+    return log
+
+
+def difference(a, b):
+    """Of the energies at the end, over the initial one."""
+    return max(abs(a.energies[f"total:{e}"][-1] - b.energies[f"total:{e}"][-1])
+               for e in ("kinetic", "strain"))/a.totalEnergy[0]
+
+
+def test_as_named(tmp_path, figures):
+    """Pairs, found by themselves, are those of the named interfaces."""
+    named = case(tmp_path/"named", NAMED)
+    general = case(tmp_path/"all", ALL)
+    sets = case(tmp_path/"sets", {"sets": {
+        "sides": '(("square0." ".*") ("square1." "left|right"))'},
+        "others": {"surfaces": '(("square.*" "top") ("square.*" bottom))'}})
+    for c in (named, general, sets):
+        solve(c)
+    lost = 1 - named.totalEnergy[-1]/named.totalEnergy[0]
+    with figures("General contact against named interfaces") as f:
+        f.atLeast("all: energy that contact takes / initial energy", lost,
+                  0.01)
+        for name, other in ("all", general), ("sets", sets):
+            f.atMost(f"{name}: difference of energies / initial energy",
+                     difference(named, other), 1e-9)
+
+
+def test_two_ranks(tmp_path, figures):
+    serial, parallel = (case(tmp_path/n, ALL) for n in ("serial", "parallel"))
+    solve(serial)
+    solve(parallel, 2)
+    with figures("General contact on two ranks") as f:
+        f.atMost("difference of energies / initial energy",
+                 difference(serial, parallel), 1e-9)
+
+
+def test_pairs_by_law(tmp_path):
+    """Each pair has the law of the entry that names it."""
+    c = case(tmp_path/"c", {"all": {
+        "surfaces": "all", "law": {"type": "frictionless"},
+        "pairs": {"row": {"sides": '(("square.0" ".*") ("square.0" ".*"))',
+                          "law": coulomb(0.5)}}}})
+    solve(c)
+    lines = (c.path/"postProcessing/contactForces/0/all.dat").read_text()
+    rows = [line.split() for line in lines.splitlines()[1:]]
+    stuck = {tuple(r[1:3]) for r in rows if int(r[-2]) > 0}
+    touching = {tuple(r[1:3]) for r in rows}
+    assert ("square00.right", "square10.left") in stuck
+    assert ("square01.right", "square11.left") in touching
+    assert all(a.startswith(("square00", "square10")) and
+               b.startswith(("square00", "square10")) for a, b in stuck)
+
+
+def test_exclude(tmp_path):
+    """Pairs that are excluded fly through each other."""
+    c = case(tmp_path/"c", {"all": {
+        "surfaces": "all",
+        "exclude": '((("square0." right) ("square1." left)))'}})
+    log = solve(c)
+    assert "8 surfaces" in log
+    lines = (c.path/"postProcessing/contactForces/0/all.dat").read_text()
+    pairs = {tuple(line.split()[1:3]) for line in lines.splitlines()[1:]}
+    assert pairs and not any("right" in a + b for a, b in pairs)
+
+
+def test_restart(tmp_path):
+    """A run that is continued is the same to the last bit."""
+    whole = case(tmp_path/"whole", ALL, writeInterval=END/2)
+    solve(whole)
+    half = tmp_path/"half"
+    shutil.copytree(whole.path, half)
+    times = sorted((p for p in half.iterdir()
+                    if p.name.replace(".", "").isdigit()),
+                   key=lambda p: float(p.name))
+    shutil.rmtree(times[-1])
+    shutil.rmtree(half/"postProcessing")
+    checked(["vertexContactFoam"], half)
+    for body in squares():
+        a, b = ((p/times[-1].name/body.name/"pointD").read_bytes()
+                for p in (whole.path, half))
+        assert a == b
+    a, b = ((p/times[-1].name/"uniform/solidSystem").read_text()
+            for p in (whole.path, half))
+    assert a == b and "square00.right-square10.left" in a
+
+
+def test_obstacle_of_many(tmp_path):
+    """One entry gives each body its own contact with the plane."""
+    floor = {"side": '("square.0" ".*")', "obstacle": {
+        "type": "plane", "planeType": "pointAndNormal",
+        "pointAndNormalDict": {"point": "(0 -0.02 0)", "normal": "(0 1 0)"}}}
+    bodies = squares()
+    for body in bodies:
+        body.velocity = (0, -2, 0)
+        body.sides["bottom"] = "contact"
+    c = case(tmp_path/"c", {"floor": floor, **ALL}, bodies)
+    solve(c)
+    for body in "square00", "square10":
+        force = c.contact(f"floor.{body}.bottom")
+        assert force[f"{body}.bottom:Fy"].max() > 0
+    assert len(list(c.path.glob(
+        "postProcessing/contactForces/0/floor.*"))) == 6
+
+
+def test_check_contact(tmp_path):
+    """The utility reports the pairs that are near."""
+    c = case(tmp_path/"c", ALL, squares(gap=0.01))
+    log = checked(["checkContact"], c.path)
+    assert "8 surfaces" in log and "Contact OK" in log
+    assert "Interface all.square00.right-square10.left" in log
+
+
+@pytest.mark.parametrize("change, words", (
+    ({"surfaces": '(("disc.*" surface))'}, ("matches no surface", "square00")),
+    ({"surfaces": "((square00 inside))"}, ("no patch 'inside'",)),
+    ({"surfaces": "all", "law": {"type": "tied"}}, ("tied", "of its own")),
+    ({"surfaces": "all", "exclude": '((square00 ".*") (".*" ".*"))'},
+     ("nothing is left", "square00.right")),
+    ({"surfaces": "all", "pairs": {
+        "a": {"sides": '((square00 right) (".*" left))',
+              "law": coulomb(0.1)},
+        "b": {"sides": '((".*" right) (square10 left))',
+              "law": coulomb(0.2)}}}, ("two laws", "square10.left")),
+    ({"surfaces": "all", "pairing": "AMI"}, ("nearestFace",)),
+), ids=("nothing", "patch", "tied", "excluded", "two laws", "pairing"))
+def test_refused(tmp_path, change, words):
+    c = case(tmp_path/"c", {"all": change})
+    with pytest.raises(RuntimeError) as error:
+        solve(c)
+    assert "FOAM FATAL IO ERROR" in str(error.value)
+    for word in words:
+        assert word in str(error.value)
+
+
+def test_superposed_velocity(tmp_path, figures):
+    """A common velocity changes nothing, though pairings follow the bodies."""
+    rest, flying = squares(), squares()
+    for body in flying:
+        body.velocity = tuple(np.add(body.velocity, (1000, 300, 0)))
+    a, b = (case(tmp_path/name, ALL, bodies=bodies)
+            for name, bodies in (("rest", rest), ("flying", flying)))
+    for c in (a, b):
+        solve(c)
+    strain = [c.energies["total:strain"][-1] for c in (a, b)]
+    with figures("General contact, with 1000 m/s on top") as f:
+        f.atMost("difference of strain energies, relative",
+                 abs(strain[1]/strain[0] - 1), 1e-6)
