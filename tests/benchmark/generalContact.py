@@ -4,7 +4,7 @@
     . etc/bashrc; tests/benchmark/generalContact.py
 
 Squares of 8 x 8 cells on a grid fly to the middle, one after the other they
-meet their four neighbours; and blocks of many faces in 3D of which a few touch.
+meet their four neighbours; and two plates in 3D of which a tenth of one face touches the other.
 One core. Share: of searching and of forces in the time of the steps, from the
 log of the solver. Memory: the largest that the program used, beside that of the
 same bodies without contact. Writes generalContact.md beside this file.
@@ -37,17 +37,16 @@ def squares(n, contact):
     return [body(i, j) for i in range(n) for j in range(n)]
 
 
-def blocks(cells, contact):
-    """Two cubes that meet with an edge of each face: a twentieth of 10^5 faces
-    is near."""
+def plates(cells, contact):
+    """Two plates, of which a tenth of one face meets the other."""
     def body(name, start, velocity):
         sides = {s: "contact" for s in (
             "left", "right", "bottom", "top", "back", "front")}
-        return Body(cells=(cells,)*3, name=name, material=MATERIAL,
-                    start=start, sides=sides if contact else {},
-                    velocity=velocity)
-    return [body("a", (0, 0, 0), (1, 0, 0)),
-            body("b", (1.001, 0.8, 0), (-1, 0, 0))]
+        return Body(cells=(cells, 2, cells), name=name, material=MATERIAL,
+                    size=(1, 2/cells, 1), start=start,
+                    sides=sides if contact else {}, velocity=velocity)
+    return [body("a", (0, 0, 0), (0, 1, 0)),
+            body("b", (0.9, 2.05/cells, 0.0021), (0, -1, 0))]
 
 
 def measured(bodies, contact, end, folder):
@@ -79,10 +78,10 @@ def measured(bodies, contact, end, folder):
 
 def main():
     lines = []
-    scenes = [(f"{n*n} squares", n*n*32, lambda c, n=n: squares(n, c), 0.05)
+    scenes = [(f"{n*n} squares", n*n*32, lambda c, n=n: squares(n, c), 0.2)
               for n in SQUARES]
-    scenes += [(f"two cubes of {n}^3 cells", 12*n*n,
-                lambda c, n=n: blocks(n, c), 0.3/n) for n in (30, 91)]
+    scenes += [(f"two plates of {n} x {n} x 2 cells", 4*n*(n + 4),
+                lambda c, n=n: plates(n, c), 3/n/40) for n in (50, 160)]
     with tempfile.TemporaryDirectory() as folder:
         for i, (what, faces, make, end) in enumerate(scenes):
             off, on = (measured(make(c), c, end, Path(folder)/f"{i}{c}")

@@ -87,6 +87,7 @@ bool Foam::surfaceMotion::exceeded
             (time - since_)*frame_[side_.body->dual().directions()[i]];
     }
     label k = 0;
+    scalar most = 0;
     for (const label a : nodes_)
     {
         scalar moved = 0;
@@ -94,8 +95,13 @@ bool Foam::surfaceMotion::exceeded
         {
             moved += sqr(disp[a*d + i] - from_[k++] - carried[i]);
         }
-        if (moved > sqr(share*allowed_)) return true;
+        most = max(most, moved);
     }
+    if (most > sqr(share*allowed_)) return true;
+
+    // As at the start: a tenth of the waves' speed on top of that of now
+    const scalar soon = speed(frame_) + 0.1*side_.body->material().cp();
+    nextTime_ = max(nextTime_, time + (allowed_ - std::sqrt(most))/soon);
     return false;
 }
 
