@@ -81,7 +81,7 @@ def main():
     scenes = [(f"{n*n} squares", n*n*32, lambda c, n=n: squares(n, c), 0.2)
               for n in SQUARES]
     scenes += [(f"two plates of {n} x {n} x 2 cells", 4*n*(n + 4),
-                lambda c, n=n: plates(n, c), 3/n/40) for n in (50, 160)]
+                lambda c, n=n: plates(n, c), 15/n/40) for n in (50, 160)]
     with tempfile.TemporaryDirectory() as folder:
         for i, (what, faces, make, end) in enumerate(scenes):
             off, on = (measured(make(c), c, end, Path(folder)/f"{i}{c}")
