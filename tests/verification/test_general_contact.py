@@ -155,6 +155,22 @@ def test_obstacle_of_many(tmp_path):
         "postProcessing/contactForces/0/floor.*"))) == 6
 
 
+def test_two_of_many(tmp_path):
+    """A pair belongs to one interface of many surfaces; to one of its own
+    rather than to these."""
+    c = case(tmp_path/"two", {**ALL, "more": {
+        "surfaces": '(("square0." ".*"))'}})
+    with pytest.raises(RuntimeError, match="has two laws"):
+        solve(c)
+    c = case(tmp_path/"own", {**ALL, "bottom": NAMED["bottom"]})
+    solve(c)
+    assert c.contact("bottom")["area"].max() > 0
+    lines = (c.path/"postProcessing/contactForces/0/all.dat").read_text()
+    pairs = {tuple(line.split()[1:3]) for line in lines.splitlines()[1:]}
+    assert ("square00.right", "square10.left") not in pairs
+    assert ("square01.right", "square11.left") in pairs
+
+
 def test_check_contact(tmp_path):
     """The utility reports the pairs that are near."""
     c = case(tmp_path/"c", ALL, squares(gap=0.01))

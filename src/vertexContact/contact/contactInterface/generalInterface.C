@@ -162,13 +162,7 @@ Foam::generalInterface::generalInterface
     contactInterface(name, dict),
     reach_(0)
 {
-    List<List<contactSide>> taken(others.size());
-    forAll(others, i)
-    {
-        // Pairs of other sets are in their rules
-        taken[i] = others[i].sides();
-    }
-    readRules(dict, bodies, taken);
+    readRules(dict, bodies, others);
 
     motions_.setSize(surfaces_.size());
     forAll(surfaces_, i)

@@ -55,24 +55,41 @@ Foam::label Foam::generalInterface::indexOf(const contactSide& side) const
 }
 
 
-Foam::labelList Foam::generalInterface::keysOf
+template<class Function>
+void Foam::generalInterface::forPairs
 (
     const List<contactSide>& a,
-    const List<contactSide>& b
+    const List<contactSide>& b,
+    const Function& f
 ) const
 {
-    labelHashSet keys;
+    labelList others(b.size());
+    forAll(b, j) others[j] = indexOf(b[j]);
     for (const contactSide& s : a)
     {
         const label i = indexOf(s);
         if (i < 0) continue;
-        for (const contactSide& t : b)
+        for (const label j : others)
         {
-            const label j = indexOf(t);
-            if (j >= 0) keys.insert(key(i, j));
+            if (j >= 0) f(key(i, j));
         }
     }
-    return keys.sortedToc();
+}
+
+
+void Foam::generalInterface::refuseTwoLaws
+(
+    const dictionary& dict,
+    const label key
+) const
+{
+    const label n = surfaces_.size();
+    FatalIOErrorInFunction(dict)
+        << "Keyword '" << (dict.found("sides") ? "sides" : "surfaces")
+        << "': the pair " << surfaceSelection::name(surfaces_[key/n]).c_str()
+        << " and " << surfaceSelection::name(surfaces_[key % n]).c_str()
+        << " has two laws: here, and in an entry before"
+        << exit(FatalIOError);
 }
 
 
@@ -106,7 +123,7 @@ void Foam::generalInterface::readRules
 (
     const dictionary& dict,
     PtrList<solidBody>& bodies,
-    const List<List<contactSide>>& taken
+    const UPtrList<contactInterface>& others
 )
 {
     dictionaryCheck::onlyKeywords(dict, keywords());
@@ -126,7 +143,12 @@ void Foam::generalInterface::readRules
     }
 
     // Who meets whom
-    labelList meet;
+    const bool self = dict.getOrDefault("self", true);
+    const auto meet = [&](const label k)
+    {
+        const label n = surfaces_.size();
+        if (self || k/n != k % n) rule_[k] = 0;
+    };
     if (dict.found("surfaces"))
     {
         const expression e(surfaceSelection::read(dict, "surfaces"));
@@ -135,7 +157,7 @@ void Foam::generalInterface::readRules
           ? surfaceSelection::all(bodies)
           : surfaceSelection::select(dict, "surfaces", e, bodies);
         rule_.setSize(surfaces_.size()*surfaces_.size(), label(-1));
-        meet = keysOf(surfaces_, surfaces_);
+        forPairs(surfaces_, surfaces_, meet);
     }
     else
     {
@@ -152,14 +174,9 @@ void Foam::generalInterface::readRules
         }
         surfaces_ = both;
         rule_.setSize(surfaces_.size()*surfaces_.size(), label(-1));
-        meet = keysOf(sets[0], sets[1]);
+        forPairs(sets[0], sets[1], meet);
     }
     const label n = surfaces_.size();
-    const bool self = dict.getOrDefault("self", true);
-    for (const label k : meet)
-    {
-        if (self || k/n != k % n) rule_[k] = 0;
-    }
 
     rules_.setSize(1);
     rules_.set(0, partDict(dict, dict).ptr());
@@ -181,20 +198,12 @@ void Foam::generalInterface::readRules
                 d, "sides", surfaceSelection::read(d, "sides"), bodies
             );
             rules_.append(partDict(dict, d).ptr());
-            for (const label k : keysOf(sets[0], sets[1]))
+            const label rule = rules_.size() - 1;
+            forPairs(sets[0], sets[1], [&](const label k)
             {
-                if (rule_[k] > 0)
-                {
-                    FatalIOErrorInFunction(d)
-                        << "Keyword 'sides': the pair "
-                        << surfaceSelection::name(surfaces_[k/n]).c_str()
-                        << " and "
-                        << surfaceSelection::name(surfaces_[k % n]).c_str()
-                        << " has two laws: here, and in an entry of 'pairs' "
-                        << "before" << exit(FatalIOError);
-                }
-                if (rule_[k] == 0) rule_[k] = rules_.size() - 1;
-            }
+                if (rule_[k] > 0 && rule_[k] != rule) refuseTwoLaws(d, k);
+                if (rule_[k] == 0) rule_[k] = rule;
+            });
         }
     }
 
@@ -212,20 +221,27 @@ void Foam::generalInterface::readRules
         for (const expression& p : pairs)
         {
             const auto sets = readSets(dict, "exclude", p, bodies);
-            for (const label k : keysOf(sets[0], sets[1])) rule_[k] = -1;
+            forPairs(sets[0], sets[1], [&](const label k) { rule_[k] = -1; });
         }
     }
 
     // Pairs with an interface of their own
     boolList meets;
     meets.setSize(n, false);
-    for (const List<contactSide>& sides : taken)
+    for (const contactInterface& other : others)
     {
-        if (sides.size() != 2) continue;
-        const label i = indexOf(sides[0]), j = indexOf(sides[1]);
-        if (i < 0 || j < 0) continue;
-        rule_[key(i, j)] = -1;
-        meets[i] = meets[j] = true;
+        const List<contactSide> theirs(other.sides());
+        forPairs(theirs, theirs, [&](const label k)
+        {
+            const label i = k/n, j = k % n;
+            if (rule_[k] < 0 || !other.joins(surfaces_[i], surfaces_[j]))
+            {
+                return;
+            }
+            if (other.many()) refuseTwoLaws(dict, k);
+            rule_[k] = -1;
+            meets[i] = meets[j] = true;
+        });
     }
 
     forAll(rule_, k)
@@ -269,6 +285,17 @@ Foam::keywordList Foam::generalInterface::keywords()
 }
 
 
+bool Foam::generalInterface::joins
+(
+    const contactSide& a,
+    const contactSide& b
+) const
+{
+    const label i = indexOf(a), j = indexOf(b);
+    return i >= 0 && j >= 0 && rule_[key(i, j)] >= 0;
+}
+
+
 bool Foam::generalInterface::describedBy(const dictionary& dict)
 {
     if (dict.found("surfaces")) return true;
@@ -284,6 +311,7 @@ bool Foam::generalInterface::describedBy(const dictionary& dict)
 
 void Foam::generalInterface::readLaw(const dictionary& dict)
 {
+    contactInterface::readLaw(dict);
     rules_.set(0, partDict(dict, dict).ptr());
     label n = 1;
     if (dict.found("pairs"))
