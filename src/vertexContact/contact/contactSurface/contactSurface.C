@@ -6,7 +6,6 @@
 
 #include "contactSurface.H"
 #include "solidBody.H"
-#include "scalarMatrices.H"
 #include "DynamicList.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -24,20 +23,40 @@ FixedList<scalar, 16> spread
     const FixedList<scalar, 4>& area
 )
 {
-    scalarSquareMatrix S(n);
+    // Gauss with pivots, beside the areas on the diagonal: s^T X = diag(A),
+    // of which the rows of the transpose of X are asked for
+    scalar S[4][8];
     for (label i = 0; i < n; ++i)
     {
-        for (label j = 0; j < n; ++j) S(i, j) = s[i*n + j];
+        for (label j = 0; j < n; ++j)
+        {
+            S[i][j] = s[j*n + i];
+            S[i][n + j] = i == j ? area[i] : 0;
+        }
+    }
+    for (label c = 0; c < n; ++c)
+    {
+        label pivot = c;
+        for (label i = c + 1; i < n; ++i)
+        {
+            if (mag(S[i][c]) > mag(S[pivot][c])) pivot = i;
+        }
+        for (label j = 0; j < 2*n; ++j) Swap(S[c][j], S[pivot][j]);
+        for (label i = 0; i < n; ++i)
+        {
+            if (i == c) continue;
+            const scalar times = S[i][c]/S[c][c];
+            for (label j = c; j < 2*n; ++j) S[i][j] -= times*S[c][j];
+        }
     }
 
     FixedList<scalar, 16> result(scalar(0));
     for (label p = 0; p < n; ++p)
     {
-        scalarSquareMatrix copy(S);
-        scalarField unit(n, Zero);
-        unit[p] = 1;
-        solve(copy, unit);
-        for (label j = 0; j < n; ++j) result[4*j + p] = area[j]*unit[j];
+        for (label j = 0; j < n; ++j)
+        {
+            result[4*j + p] = S[p][n + j]/S[p][p];
+        }
     }
     return result;
 }

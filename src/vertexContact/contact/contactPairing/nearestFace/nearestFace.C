@@ -301,7 +301,9 @@ void Foam::contactPairings::nearestFace::update(const scalar time)
         }
         const contactFaceList others
         (
-            oppositeFaces
+            minus_ == plus_ && !Pstream::parRun()
+          ? mine
+          : oppositeFaces
             (
                 mine.size() ? grown(mineBox, search) : mineBox,
                 grown(minusAll, search)
