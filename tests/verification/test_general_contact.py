@@ -199,18 +199,3 @@ def test_refused(tmp_path, change, words):
     assert "FOAM FATAL IO ERROR" in str(error.value)
     for word in words:
         assert word in str(error.value)
-
-
-def test_superposed_velocity(tmp_path, figures):
-    """A common velocity changes nothing, though pairings follow the bodies."""
-    rest, flying = squares(), squares()
-    for body in flying:
-        body.velocity = tuple(np.add(body.velocity, (1000, 300, 0)))
-    a, b = (case(tmp_path/name, ALL, bodies=bodies)
-            for name, bodies in (("rest", rest), ("flying", flying)))
-    for c in (a, b):
-        solve(c)
-    strain = [c.energies["total:strain"][-1] for c in (a, b)]
-    with figures("General contact, with 1000 m/s on top") as f:
-        f.atMost("difference of strain energies, relative",
-                 abs(strain[1]/strain[0] - 1), 1e-6)

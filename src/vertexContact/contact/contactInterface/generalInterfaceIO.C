@@ -376,7 +376,7 @@ void Foam::generalInterface::readRecord(const dictionary& record)
         const scalar share = Pstream::master() ? 1 : 0;
         const vector minus(share*d.get<vector>("impulse"));
         const vector plus(share*d.get<vector>("plusImpulse"));
-        const label i = findIndex(keys_, k);
+        const label i = keys_.find(k);
         if (i >= 0)
         {
             parts_[i].setImpulse(minus, plus);
