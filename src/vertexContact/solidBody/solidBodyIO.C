@@ -515,6 +515,14 @@ void Foam::solidBody::write()
             "contactGap", dimLength,
             [&](const label a) { return gap[a] < 0.1*GREAT ? gap[a] : 0; }
         );
+        if (contact_.slide.size())
+        {
+            writeField<vector>
+            (
+                "contactSlide", dimLength,
+                [&](const label a) { return contact_.slide[a]; }
+            );
+        }
     }
 }
 

@@ -457,6 +457,61 @@ void Foam::solidBody::addContactForces()
 }
 
 
+void Foam::solidBody::rememberSlide()
+{
+    if (contact_.slide.size()) return;
+    contact_.slide.setSize(dual_.nNodes(), vector::zero);
+    contact_.slideSums.setSize(5*dual_.nNodes(), Zero);
+    const auto slide = readIfPresent<vector>("contactSlide", dimLength);
+    if (slide.valid())
+    {
+        forAll(contact_.slide, a)
+        {
+            contact_.slide[a] =
+                slide().primitiveField()[dual_.nodePoint()[a]];
+        }
+    }
+}
+
+
+void Foam::solidBody::finishSlide()
+{
+    if (contact_.slide.empty()) return;
+    dual_.sharing().sum(contact_.slideSums.data(), 5);
+    for (const label a : contactNodes_)
+    {
+        scalar* sums = contact_.slideSums.data() + 5*a;
+        if (sums[3] > 0)
+        {
+            const vector way(sums[0], sums[1], sums[2]);
+            contact_.slide[a] =
+                (sums[4]/sums[3])*contact_.slide[a]
+              + (inv(deformationGradient(a)) & way)/sums[3];
+        }
+        else
+        {
+            contact_.slide[a] = vector::zero;
+        }
+        for (label i = 0; i < 5; ++i) sums[i] = 0;
+    }
+}
+
+
+Foam::vector Foam::solidBody::stepVelocity(const label node) const
+{
+    const label d = dual_.nDim();
+    return expand(data_.state.lm.cdata() + d*node)/data_.rho;
+}
+
+
+Foam::vector Foam::solidBody::meanStepVelocity(const label node) const
+{
+    const label d = dual_.nDim();
+    return
+        0.5*(stepVelocity(node) + expand(data_.old.lm.cdata() + d*node)/data_.rho);
+}
+
+
 void Foam::solidBody::react()
 {
     const label d = dual_.nDim();

@@ -336,6 +336,11 @@ void Foam::solidSystem::leap(const scalar time)
     for (contactInterface& contact : interfaces_)
     {
         contact.accumulate(middle);
+        contact.slide(middle, deltaT);
+    }
+    for (solidBody& body : bodies_)
+    {
+        body.finishSlide();
     }
     evaluate(time, 0);
 
@@ -528,10 +533,11 @@ void Foam::solidSystem::stopStep
         bodies_[i].restoreOld();
         accounts_[i] = oldAccounts_[i];
         bodies_[i].contact().status = oldStatus_[i];
+        bodies_[i].contact().slide = oldSlide_[i];
     }
     for (contactInterface& contact : interfaces_)
     {
-        contact.restoreImpulse();
+        contact.restoreSums();
     }
     runTime_.setTime(startOfStep_, runTime_.timeIndex() - 1);
     if (integrator_.leapfrog())
@@ -793,6 +799,7 @@ Foam::solidSystem::solidSystem(Time& runTime)
     largestGradient_.setSize(bodies_.size(), scalar(0));
     bodyStep_.setSize(bodies_.size(), scalar(0));
     oldStatus_.setSize(bodies_.size());
+    oldSlide_.setSize(bodies_.size());
     initialEnergy_.setSize(bodies_.size(), scalar(0));
     readAccounts(record);
     leastLimit_.read(record);
@@ -902,6 +909,11 @@ Foam::solidSystem::computeEnergies() const
         all[i] = bodyEnergies(i);
         all.last() += all[i];
     }
+    for (const contactInterface& contact : interfaces_)
+    {
+        all.last().frictionDissipation += contact.sums().friction;
+    }
+    reduce(all.last().frictionDissipation, sumOp<scalar>());
     return all;
 }
 
@@ -941,6 +953,7 @@ void Foam::solidSystem::startStep()
     forAll(bodies_, i)
     {
         oldStatus_[i] = bodies_[i].contact().status;
+        oldSlide_[i] = bodies_[i].contact().slide;
         if (maxEnergyRise_ > 0 || integrator_.leapfrog())
         {
             bodies_[i].keepPlasticity();
@@ -952,7 +965,7 @@ void Foam::solidSystem::startStep()
     }
     for (contactInterface& contact : interfaces_)
     {
-        contact.keepImpulse();
+        contact.keepSums();
     }
 
     // With the leapfrog the last step did, unless the state was written or the

@@ -144,6 +144,7 @@ void Foam::bodyInterface::solveForces(const bool firstStage)
     const List<contactOverlap>& overlaps = pairing_->overlaps();
     const scalar deltaT = body.contactStep();
     const bool bonded = law().bonded();
+    const bool sticks = law().sticks();
 
     forAll(problems_, o)
     {
@@ -184,6 +185,13 @@ void Foam::bodyInterface::solveForces(const bool firstStage)
             shift = between - p.gap*p.n;
             p.gap -= mag(atFirst)*sign(atFirst & referenceNormal(over));
         }
+        else if (sticks)
+        {
+            shift = acousticRiemann::tangential
+            (
+                body.slide(M.geometry.cornerNode[over.minus.corner[0]]), p.n
+            );
+        }
 
         const scalar minusStretch = over.minus(M.stretch);
         p.minus.v = over.minus(M.v);
@@ -218,7 +226,7 @@ void Foam::bodyInterface::solveForces(const bool firstStage)
     {
         const contactOverlap& over = overlaps[o];
         const contactLaw::problem& p = problems_[o];
-        count(p, over.width, p.area, p.area);
+        count(p, over.width, over.depth, p.area, p.area);
 
         const answerMessage toMinus(answer(p, p.area, over.minus.area));
         const answerMessage toPlus(plusAnswer(p, p.area, over.plus.area));
@@ -312,6 +320,7 @@ Foam::bodyInterface::bodyInterface
             << "'preset paper' in controlDict. Valid transfers: (conservative)"
             << exit(FatalIOError);
     }
+    rememberSlide(law(), minus_);
     resize();
 }
 
@@ -459,7 +468,8 @@ void Foam::bodyInterface::solve(const scalar, const bool firstStage)
             plusForce = plusArea*plusStretch;
         }
 
-        count(p, over.width, minusForce, plusForce);
+        count(p, over.width, over.depth, minusForce, plusForce);
+        statistics_.frictionPower += minusForce*slipPower(p);
 
         const answerMessage toMinus(answer(p, minusForce, minusArea));
         const answerMessage toPlus(plusAnswer(p, plusForce, plusArea));
@@ -496,6 +506,67 @@ void Foam::bodyInterface::solve(const scalar, const bool firstStage)
         for (label i = 0; i < 6; ++i) flux[i] = answers_[c][9 + i];
         setState(plus_, k, state, firstStage);
         addFlux(P, k, flux, 1);
+    }
+}
+
+
+void Foam::bodyInterface::slide(const scalar middle, const scalar deltaT)
+{
+    if (!law().sticks() || !pairing_->active()) return;
+
+    solidBody& body = *minus_.body;
+    const labelList& minusNode =
+        body.corners(minus_.patchi).geometry.cornerNode;
+    const labelList& plusNode =
+        plus_.body->corners(plus_.patchi).geometry.cornerNode;
+    const labelList& corners = pairing_->plusCorners();
+    slid_.setSize(corners.size());
+    forAll(corners, i)
+    {
+        const label node = plusNode[corners[i]];
+        const vector v(plus_.body->stepVelocity(node));
+        const vector mean(plus_.body->meanStepVelocity(node));
+        for (direction c = 0; c < 3; ++c)
+        {
+            slid_[i][c] = v[c];
+            slid_[i][3 + c] = mean[c];
+        }
+    }
+    pairing_->toSlots(slid_);
+
+    const List<contactOverlap>& overlaps = pairing_->overlaps();
+    forAll(problems_, o)
+    {
+        const contactLaw::problem& p = problems_[o];
+        if (p.result.state == acousticRiemann::status::open) continue;
+
+        const contactOverlap& over = overlaps[o];
+        vector way(Zero), mean(Zero);
+        for (label j = 0; j < over.plus.size; ++j)
+        {
+            const slideMessage& m = slid_[over.plus.corner[j]];
+            way += over.plus.value[j]*vector(m[0], m[1], m[2]);
+            mean += over.plus.value[j]*vector(m[3], m[4], m[5]);
+        }
+        for (label j = 0; j < over.minus.size; ++j)
+        {
+            const label node = minusNode[over.minus.corner[j]];
+            way -= over.minus.value[j]*body.stepVelocity(node);
+            mean -= over.minus.value[j]*body.meanStepVelocity(node);
+        }
+        const bool stuck = p.result.state == acousticRiemann::status::stick;
+        body.addSlide
+        (
+            minusNode[over.minus.corner[0]],
+            p.area,
+            stuck
+          ? deltaT*acousticRiemann::tangential(way, p.n)
+          : vector::zero,
+            kept(p)
+        );
+        account_.friction +=
+            middle*p.area
+           *(acousticRiemann::tangential(p.result.t, p.n) & mean);
     }
 }
 

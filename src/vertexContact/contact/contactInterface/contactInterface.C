@@ -29,6 +29,78 @@ Foam::autoPtr<Foam::contactLaw> Foam::contactInterface::newLaw
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
+Foam::contactInterface::account Foam::contactInterface::account::total() const
+{
+    account all;
+    all.impulse = returnReduce(impulse, sumOp<vector>());
+    all.plusImpulse = returnReduce(plusImpulse, sumOp<vector>());
+    all.friction = returnReduce(friction, sumOp<scalar>());
+    return all;
+}
+
+
+void Foam::contactInterface::account::write(Ostream& os) const
+{
+    os  << "    impulse " << impulse << ';' << nl
+        << "    plusImpulse " << plusImpulse << ';' << nl
+        << "    friction " << friction << ';' << nl;
+}
+
+
+Foam::contactInterface::account Foam::contactInterface::account::read
+(
+    const dictionary& record
+)
+{
+    account sums;
+    if (Pstream::master())
+    {
+        sums.impulse = record.get<vector>("impulse");
+        sums.plusImpulse = record.get<vector>("plusImpulse");
+        sums.friction = record.getOrDefault<scalar>("friction", 0);
+    }
+    return sums;
+}
+
+
+void Foam::contactInterface::rememberSlide
+(
+    const contactLaw& law,
+    const contactSide& minus
+)
+{
+    if (law.sticks() && minus.body->variational())
+    {
+        minus.body->rememberSlide();
+    }
+}
+
+
+Foam::scalar Foam::contactInterface::kept(const contactLaw::problem& p)
+{
+    using namespace acousticRiemann;
+
+    if (p.result.state == status::open) return 0;
+    const vector remembered(tangential(p.minus.t, p.n));
+    if (p.result.state == status::stick || remembered == vector::zero)
+    {
+        return 1;
+    }
+
+    // The largest share s <= 1 with |other + s remembered| = limit
+    const vector other
+    (
+        tangential(stickTraction(p.minus, p.plus, p.n), p.n) - remembered
+    );
+    const scalar limit = mag(tangential(p.result.t, p.n));
+    const scalar a = magSqr(remembered);
+    const scalar b = other & remembered;
+    const scalar c = magSqr(other) - sqr(limit);
+    const scalar root = sqr(b) - a*c;
+    return root > 0 ? max(scalar(0), min(scalar(1), (sqrt(root) - b)/a)) : 0;
+}
+
+
 Foam::contactInterface::answerMessage Foam::contactInterface::noAnswer()
 {
     answerMessage none(scalar(0));
@@ -155,6 +227,7 @@ void Foam::contactInterface::count
 (
     const contactLaw::problem& p,
     const scalar width,
+    const scalar depth,
     const scalar minusArea,
     const scalar plusArea
 )
@@ -175,6 +248,11 @@ void Foam::contactInterface::count
     s.plusForce -= plusArea*p.result.t;
     s.area += p.area;
     s.peakPressure = max(s.peakPressure, -(p.result.t & p.n));
+    if (p.gap > closingGap*depth && !law_->bonded())
+    {
+        s.gapForce -= minusArea*(p.result.t & p.n);
+        s.gapArea += p.area;
+    }
     ++(p.result.state == acousticRiemann::status::slip ? s.nSlip : s.nStick);
 }
 
@@ -228,10 +306,6 @@ Foam::contactInterface::contactInterface
 :
     name_(name),
     dictName_(name),
-    impulse_(Zero),
-    plusImpulse_(Zero),
-    oldImpulse_(Zero),
-    oldPlusImpulse_(Zero),
     law_(newLaw(dict))
 {}
 
@@ -298,56 +372,27 @@ void Foam::contactInterface::readLaw(const dictionary& dict)
             << exit(FatalIOError);
     }
     law_ = std::move(law);
+    rememberSlide(*law_, sides().first());
 }
 
 
 void Foam::contactInterface::accumulate(const scalar weightedDeltaT)
 {
-    impulse_ += weightedDeltaT*statistics_.force;
-    plusImpulse_ += weightedDeltaT*statistics_.plusForce;
-}
-
-
-void Foam::contactInterface::setImpulse
-(
-    const vector& minus,
-    const vector& plus
-)
-{
-    impulse_ = minus;
-    plusImpulse_ = plus;
-}
-
-
-void Foam::contactInterface::keepImpulse()
-{
-    oldImpulse_ = impulse_;
-    oldPlusImpulse_ = plusImpulse_;
-}
-
-
-void Foam::contactInterface::restoreImpulse()
-{
-    setImpulse(oldImpulse_, oldPlusImpulse_);
+    account_.impulse += weightedDeltaT*statistics_.force;
+    account_.plusImpulse += weightedDeltaT*statistics_.plusForce;
+    account_.friction += weightedDeltaT*statistics_.frictionPower;
 }
 
 
 void Foam::contactInterface::writeRecord(Ostream& os) const
 {
-    os  << "    impulse " << returnReduce(impulse_, sumOp<vector>()) << ';'
-        << nl << "    plusImpulse "
-        << returnReduce(plusImpulse_, sumOp<vector>()) << ';' << nl;
+    account_.total().write(os);
 }
 
 
 void Foam::contactInterface::readRecord(const dictionary& record)
 {
-    const scalar share = Pstream::master() ? 1 : 0;
-    setImpulse
-    (
-        share*record.get<vector>("impulse"),
-        share*record.get<vector>("plusImpulse")
-    );
+    account_ = account::read(record);
 }
 
 

@@ -122,6 +122,9 @@ void Foam::generalInterface::collect()
         const statistics& s = part.stageStatistics();
         statistics_.force += s.force;
         statistics_.plusForce += s.plusForce;
+        statistics_.gapForce += s.gapForce;
+        statistics_.gapArea += s.gapArea;
+        statistics_.frictionPower += s.frictionPower;
         statistics_.area += s.area;
         statistics_.peakPressure =
             max(statistics_.peakPressure, s.peakPressure);
@@ -257,21 +260,13 @@ void Foam::generalInterface::update(const scalar time, const bool all)
                 surfaces_[keys[i]/n], surfaces_[keys[i] % n]
             )
         );
-        if (past_.found(keys[i]))
-        {
-            const Pair<vector>& impulse = past_[keys[i]];
-            parts[i].setImpulse(impulse.first(), impulse.second());
-        }
+        if (past_.found(keys[i])) parts[i].setSums(past_[keys[i]]);
     }
     forAll(parts_, i)
     {
         if (parts_.set(i))
         {
-            past_.set
-            (
-                keys_[i],
-                Pair<vector>(parts_[i].impulse(), parts_[i].plusImpulse())
-            );
+            past_.set(keys_[i], parts_[i].sums());
         }
     }
     keys_.transfer(keys);
@@ -299,17 +294,28 @@ void Foam::generalInterface::accumulate(const scalar weightedDeltaT)
 }
 
 
-void Foam::generalInterface::keepImpulse()
+void Foam::generalInterface::slide(const scalar middle, const scalar deltaT)
 {
-    contactInterface::keepImpulse();
-    for (bodyInterface& part : parts_) part.keepImpulse();
+    for (bodyInterface& part : parts_)
+    {
+        const scalar before = part.sums().friction;
+        part.slide(middle, deltaT);
+        account_.friction += part.sums().friction - before;
+    }
 }
 
 
-void Foam::generalInterface::restoreImpulse()
+void Foam::generalInterface::keepSums()
 {
-    contactInterface::restoreImpulse();
-    for (bodyInterface& part : parts_) part.restoreImpulse();
+    contactInterface::keepSums();
+    for (bodyInterface& part : parts_) part.keepSums();
+}
+
+
+void Foam::generalInterface::restoreSums()
+{
+    contactInterface::restoreSums();
+    for (bodyInterface& part : parts_) part.restoreSums();
 }
 
 

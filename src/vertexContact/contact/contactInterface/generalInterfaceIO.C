@@ -333,29 +333,17 @@ void Foam::generalInterface::writeRecord(Ostream& os) const
     contactInterface::writeRecord(os);
 
     // Of all pairs that have touched: all ranks have the same
-    Map<Pair<vector>> all(past_);
-    forAll(parts_, i)
-    {
-        all.set
-        (
-            keys_[i], Pair<vector>(parts_[i].impulse(), parts_[i].plusImpulse())
-        );
-    }
+    Map<account> all(past_);
+    forAll(parts_, i) all.set(keys_[i], parts_[i].sums());
     os  << "    pairs" << nl << "    {" << nl;
     for (const label k : all.sortedToc())
     {
-        const vector minus
-        (
-            returnReduce(all[k].first(), sumOp<vector>())
-        );
-        const vector plus
-        (
-            returnReduce(all[k].second(), sumOp<vector>())
-        );
-        if (mag(minus) + mag(plus) > 0)
+        const account sums(all[k].total());
+        if (sums.touched())
         {
-            os  << "        \"" << partName(k) << "\" { impulse " << minus
-                << "; plusImpulse " << plus << "; }" << nl;
+            os  << "    \"" << partName(k) << "\"" << nl << "    {" << nl;
+            sums.write(os);
+            os  << "    }" << nl;
         }
     }
     os  << "    }" << nl;
@@ -372,18 +360,18 @@ void Foam::generalInterface::readRecord(const dictionary& record)
         {
             continue;
         }
-        const dictionary& d = pairs.subDict(partName(k), keyType::LITERAL);
-        const scalar share = Pstream::master() ? 1 : 0;
-        const vector minus(share*d.get<vector>("impulse"));
-        const vector plus(share*d.get<vector>("plusImpulse"));
+        const account sums
+        (
+            account::read(pairs.subDict(partName(k), keyType::LITERAL))
+        );
         const label i = keys_.find(k);
         if (i >= 0)
         {
-            parts_[i].setImpulse(minus, plus);
+            parts_[i].setSums(sums);
         }
         else
         {
-            past_.set(k, Pair<vector>(minus, plus));
+            past_.set(k, sums);
         }
     }
 }

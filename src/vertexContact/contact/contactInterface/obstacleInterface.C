@@ -63,6 +63,7 @@ void Foam::obstacleInterface::solveForces(const bool firstStage)
     const scalarField& depth = body.depth(side_.patchi);
     const septernion& pose = motion_.pose();
     const scalar deltaT = body.contactStep();
+    const bool sticks = law().sticks();
 
     forAll(planes_, i)
     {
@@ -85,7 +86,13 @@ void Foam::obstacleInterface::solveForces(const bool firstStage)
         layer.set
         (
             p, M.stretch[k], (M.n[k] & p.n) > 0.1, law().bonded(),
-            vector::zero, deltaT
+            sticks
+          ? acousticRiemann::tangential
+            (
+                body.slide(M.geometry.cornerNode[k]), p.n
+            )
+          : vector::zero,
+            deltaT
         );
         countClosing(p, depth[k]);
         if (closed_[i] && p.gap < -depth[k])
@@ -100,7 +107,7 @@ void Foam::obstacleInterface::solveForces(const bool firstStage)
     {
         const label k = planes_[i].corner;
         const contactLaw::problem& p = problems_[i];
-        count(p, width_[k], p.area, p.area);
+        count(p, width_[k], depth[k], p.area, p.area);
         const answerMessage told(answer(p, p.area, M.geometry.cornerArea[k]));
         setState(side_, k, told, firstStage);
         if (p.result.state != acousticRiemann::status::open)
@@ -143,6 +150,8 @@ Foam::obstacleInterface::obstacleInterface
         }
     }
     reduce(leastWidth_, minOp<scalar>());
+
+    rememberSlide(law(), side_);
 
     // A hundredth of the time that a wave takes through a face
     motion_.setInterval(0.01*leastWidth_/side_.body->material().cp());
@@ -350,13 +359,50 @@ void Foam::obstacleInterface::solve(const scalar time, const bool firstStage)
     {
         const label k = planes_[i].corner;
         const contactLaw::problem& p = problems_[i];
-        count(p, width_[k], p.area, p.area);
+        count(p, width_[k], depth[k], p.area, p.area);
+        statistics_.frictionPower += p.area*slipPower(p);
         const answerMessage told(answer(p, p.area, M.geometry.cornerArea[k]));
         setState(side_, k, told, firstStage);
         if (p.result.state != acousticRiemann::status::open)
         {
             addFlux(M, k, told, 1);
         }
+    }
+}
+
+
+void Foam::obstacleInterface::slide(const scalar middle, const scalar deltaT)
+{
+    if (!law().sticks()) return;
+
+    solidBody& body = *side_.body;
+    const labelList& cornerNode =
+        body.corners(side_.patchi).geometry.cornerNode;
+    forAll(planes_, i)
+    {
+        const contactLaw::problem& p = problems_[i];
+        if (p.result.state == acousticRiemann::status::open) continue;
+
+        const label node = cornerNode[planes_[i].corner];
+        const bool stuck = p.result.state == acousticRiemann::status::stick;
+        body.addSlide
+        (
+            node,
+            p.area,
+            stuck
+          ? deltaT*acousticRiemann::tangential
+            (
+                p.plus.v - body.stepVelocity(node), p.n
+            )
+          : vector::zero,
+            kept(p)
+        );
+        account_.friction +=
+            middle*p.area
+           *(
+                acousticRiemann::tangential(p.result.t, p.n)
+              & (p.plus.v - body.meanStepVelocity(node))
+            );
     }
 }
 

@@ -55,7 +55,8 @@ Foam::functionObjects::contactForces::contactForces
                 }
             }
             os  << " area[m2] peakPressure[Pa] penetration[m]"
-                << " relativePenetration[-] open stick slip" << endl;
+                << " relativePenetration[-] open stick slip"
+                << " gapArea[m2] gapForce[N] frictionDissipation[J]" << endl;
             files_.set(i, file.ptr());
         }
     }
@@ -72,12 +73,13 @@ bool Foam::functionObjects::contactForces::write()
         const bool many = solids_.interfaces()[i].many();
         const contactInterface::statistics& mine = contact.stageStatistics();
 
+        const contactInterface::account sums(contact.sums().total());
         const vector values[4] =
         {
             returnReduce(mine.force, sumOp<vector>()),
-            returnReduce(contact.impulse(), sumOp<vector>()),
+            sums.impulse,
             returnReduce(mine.plusForce, sumOp<vector>()),
-            returnReduce(contact.plusImpulse(), sumOp<vector>())
+            sums.plusImpulse
         };
         const scalar area = returnReduce(mine.area, sumOp<scalar>());
         const scalar peak = returnReduce(mine.peakPressure, maxOp<scalar>());
@@ -85,6 +87,8 @@ bool Foam::functionObjects::contactForces::write()
             returnReduce(mine.penetration, maxOp<scalar>());
         const scalar relative =
             returnReduce(mine.relativePenetration, maxOp<scalar>());
+        const scalar gapArea = returnReduce(mine.gapArea, sumOp<scalar>());
+        const scalar gapForce = returnReduce(mine.gapForce, sumOp<scalar>());
         const label nOpen = returnReduce(mine.nOpen, sumOp<label>());
         const label nStick = returnReduce(mine.nStick, sumOp<label>());
         const label nSlip = returnReduce(mine.nSlip, sumOp<label>());
@@ -106,7 +110,8 @@ bool Foam::functionObjects::contactForces::write()
             }
             os  << ' ' << area << ' ' << peak << ' ' << deepest
                 << ' ' << relative << ' ' << nOpen << ' ' << nStick << ' '
-                << nSlip << endl;
+                << nSlip << ' ' << gapArea << ' ' << gapForce << ' '
+                << sums.friction << endl;
         }
     }
 

@@ -67,7 +67,7 @@ Foam::functionObjects::solidEnergies::solidEnergies
                 *momentum_ << ' ' << owner.c_str() << ':' << L << "[kg.m2/s]";
             }
         }
-        *energies_ << endl;
+        *energies_ << " total:frictionDissipation[J]" << endl;
         *momentum_ << endl;
     }
 
@@ -111,7 +111,7 @@ bool Foam::functionObjects::solidEnergies::write()
                 << ' ' << e.externalWork << ' ' << e.contactWork
                 << ' ' << e.balance;
         }
-        *energies_ << endl;
+        *energies_ << ' ' << all.last().frictionDissipation << endl;
 
         *momentum_ << runTime_.value();
         forAll(p, i)

@@ -9,10 +9,19 @@ Description
     Algorithm 1: stick, slip and separation with Coulomb friction, with the
     friction direction that dissipates (see acousticRiemann).
 
+    What sticks begins to slip at the static coefficient k_s. What slips with
+    the speed v has
+    \f[
+        k(v) = k + (k_s - k) e^{-\lambda v}
+    \f]
+    which without a decay \f$\lambda\f$ is k at any speed.
+
 Usage
     \table
-        Property      | Description                   | Required
-        frictionCoeff | Friction coefficient k >= 0 [-] | yes
+        Property            | Description                         | Default
+        frictionCoeff       | Coefficient k >= 0 of what slips [-] | required
+        staticFrictionCoeff | k_s >= k [-]                        | frictionCoeff
+        frictionDecay       | lambda > 0 [s/m]             | at once, infinite
     \endtable
 
 \*---------------------------------------------------------------------------*/
@@ -33,6 +42,10 @@ class Coulomb
     public contactLaw
 {
     scalar k_;
+    scalar kStatic_;
+
+    //- 0: at once
+    scalar decay_;
 
 public:
 
@@ -43,7 +56,15 @@ public:
     {
         return
         {
-            {"frictionCoeff", "-", "required", "at least 0"}
+            {"frictionCoeff", "-", "required", "at least 0"},
+            {
+                "staticFrictionCoeff", "-", "frictionCoeff",
+                "at least frictionCoeff"
+            },
+            {
+                "frictionDecay", "s/m", "at once",
+                "more than 0: from the static one, with the speed"
+            }
         };
     }
 
@@ -58,6 +79,31 @@ public:
         (
             k_ >= 0, dict, "frictionCoeff", k_, "at least 0"
         );
+        kStatic_ = k_;
+        if (dict.found("staticFrictionCoeff"))
+        {
+            kStatic_ = dictionaryCheck::readNumber
+            (
+                dict, "staticFrictionCoeff", dimless
+            );
+            dictionaryCheck::require
+            (
+                kStatic_ >= k_, dict, "staticFrictionCoeff", kStatic_,
+                "at least frictionCoeff"
+            );
+        }
+        decay_ = 0;
+        if (dict.found("frictionDecay"))
+        {
+            decay_ = dictionaryCheck::readNumber
+            (
+                dict, "frictionDecay", dimTime/dimLength
+            );
+            dictionaryCheck::require
+            (
+                decay_ > 0, dict, "frictionDecay", decay_, "more than 0"
+            );
+        }
     }
 
     virtual void solve(UList<problem>& problems) const
@@ -68,10 +114,27 @@ public:
         {
             p.result =
                 p.touching
-              ? coulombContact(p.minus, p.plus, p.n, k_)
+              ? coulombContact(p.minus, p.plus, p.n, kStatic_)
               : separated(p.minus, p.plus, p.n);
+            if (kStatic_ > k_ && p.result.state == status::slip)
+            {
+                const scalar share =
+                    decay_ > 0
+                  ? std::exp
+                    (
+                       -decay_
+                       *mag(tangential(p.result.vPlus - p.result.vMinus, p.n))
+                    )
+                  : 0;
+                p.result = sliding
+                (
+                    p.minus, p.plus, p.n, k_ + share*(kStatic_ - k_)
+                );
+            }
         }
     }
+
+    virtual bool sticks() const { return kStatic_ > 0; }
 };
 
 
