@@ -95,8 +95,9 @@ def test_pairs_by_law(tmp_path):
                           "law": coulomb(0.5)}}}})
     solve(c)
     lines = (c.path/"postProcessing/contactForces/0/all.dat").read_text()
-    rows = [line.split() for line in lines.splitlines()[1:]]
-    stuck = {tuple(r[1:3]) for r in rows if int(r[-2]) > 0}
+    head, *rows = [line.split() for line in lines.splitlines()]
+    stick = head.index("stick") - 1
+    stuck = {tuple(r[1:3]) for r in rows if int(r[stick]) > 0}
     touching = {tuple(r[1:3]) for r in rows}
     assert ("square00.right", "square10.left") in stuck
     assert ("square01.right", "square11.left") in touching
@@ -199,3 +200,18 @@ def test_refused(tmp_path, change, words):
     assert "FOAM FATAL IO ERROR" in str(error.value)
     for word in words:
         assert word in str(error.value)
+
+
+def test_superposed_velocity(tmp_path, figures):
+    """A common velocity changes nothing, though pairings follow the bodies."""
+    rest, flying = squares(), squares()
+    for body in flying:
+        body.velocity = tuple(np.add(body.velocity, (1000, 300, 0)))
+    a, b = (case(tmp_path/name, ALL, bodies=bodies)
+            for name, bodies in (("rest", rest), ("flying", flying)))
+    for c in (a, b):
+        solve(c)
+    strain = [c.energies["total:strain"][-1] for c in (a, b)]
+    with figures("General contact, with 1000 m/s on top") as f:
+        f.atMost("difference of strain energies, relative",
+                 abs(strain[1]/strain[0] - 1), 1e-6)

@@ -81,7 +81,8 @@ def test_rest_has_no_step(tmp_path, figures, on):
 def test_rest_3d(tmp_path, figures, law, weight):
     """A block on a base of four times finer mesh, in three dimensions, comes
     to rest: its kinetic energy falls and falls. Without friction not for ever:
-    it slides off the base, which is softer towards its edges."""
+    it slides off the base, which is softer towards its edges, the sooner the
+    heavier it is."""
     tied = law["type"] == "tied"
     block = Body((2, 2, 2), name="block", sides={"bottom": "contact"})
     base = Body((10, 4, 10), name="base", start=(-0.125, -0.5, -0.125),
@@ -103,7 +104,9 @@ def test_rest_3d(tmp_path, figures, law, weight):
         f.falling("kinetic energy", late)
         f.atMost("kinetic energy at the end / largest", late[-1]/kinetic.max(),
                  2e-2 if slides else 1e-3)
-        f.atMost("drift in the last half / cell", 2*largest(D[1] - D[0]), 0.02)
+        if not slides:
+            f.atMost("drift in the last half / cell", 2*largest(D[1] - D[0]),
+                     0.02)
         f.atMost("energy gained / largest kinetic energy",
                  (own - np.minimum.accumulate(own)).max()/kinetic.max(), 1e-3)
 

@@ -54,6 +54,23 @@ Foam::contactSide Foam::bodyInterface::readSide
 }
 
 
+Foam::scalar Foam::bodyInterface::findPlusShare
+(
+    const contactSide& minus,
+    const contactSide& plus
+)
+{
+    const auto area = [](const contactSide& side)
+    {
+        return gSum(side.body->corners(side.patchi).geometry.cornerArea);
+    };
+    const scalar ofMinus = area(minus), ofPlus = area(plus);
+    return
+        mag(ofMinus - ofPlus) < 1e-6*(ofMinus + ofPlus) ? 0.5
+      : ofMinus < ofPlus ? 0 : 1;
+}
+
+
 bool Foam::bodyInterface::readTwoWay(const dictionary& dict)
 {
     const word transfer
@@ -77,6 +94,7 @@ void Foam::bodyInterface::resize()
 
     closed_.setSize(overlaps.size(), false);
     problems_.setSize(overlaps.size());
+    if (minus_.body->variational()) levers_.setSize(overlaps.size());
 
     if (twoWay_)
     {
@@ -194,10 +212,57 @@ void Foam::bodyInterface::solveForces(const bool firstStage)
         }
 
         const scalar minusStretch = over.minus(M.stretch);
-        p.minus.v = over.minus(M.v);
+        // Where the forces of both sides act
+        const scalar apart = between & p.n;
+        const vector middle
+        (
+            plusShare_*(between - apart*p.n) + 0.5*apart*p.n
+        );
+        levers& lever = levers_[o];
+        const scalar below = lever.minus.set
+        (
+            over.minus,
+            [&](const label j)
+            {
+                return body.position
+                (
+                    M.geometry.cornerNode[over.minus.corner[j]]
+                );
+            },
+            middle,
+            p.n
+        );
+        const scalar above = lever.plus.set
+        (
+            over.plus,
+            [&](const label j)
+            {
+                const cornerMessage& c = sent_[over.plus.corner[j]];
+                return vector(c[9], c[10], c[11]);
+            },
+            middle - between,
+            p.n
+        );
+        // Of the surfaces there, not of the points that were paired
+        if (!bonded) p.gap = below - above;
+
+        p.minus.v = p.plus.v = vector::zero;
+        vector nMinus(Zero), nPlus(Zero);
+        for (label j = 0; j < over.minus.size; ++j)
+        {
+            const label k = over.minus.corner[j];
+            p.minus.v += lever.minus.velocity(j, M.v[k]);
+            nMinus += lever.minus.weight(j)*M.n[k];
+        }
+        for (label j = 0; j < over.plus.size; ++j)
+        {
+            const cornerMessage& c = sent_[over.plus.corner[j]];
+            p.plus.v += lever.plus.velocity(j, vector(c[0], c[1], c[2]));
+            nPlus += lever.plus.weight(j)*vector(c[6], c[7], c[8]);
+        }
+        if (opposed) contactOverlaps::commonNormal(nMinus, nPlus, p.n);
         p.minus.zp = M.zp;
         p.minus.zs = M.zs;
-        p.plus.v = vector(m[0], m[1], m[2]);
         p.plus.zp = P.zp;
         p.plus.zs = P.zs;
         p.area = 0.5*(over.minus.area + over.plus.area);
@@ -239,19 +304,17 @@ void Foam::bodyInterface::solveForces(const bool firstStage)
             continue;
         }
 
-        // The transpose of what interpolated positions and velocities
+        // The transpose of what interpolated the velocities
         const vector force(p.area*p.result.t);
         for (label j = 0; j < over.minus.size; ++j)
         {
-            M.force[over.minus.corner[j]] += over.minus.value[j]*force;
+            M.force[over.minus.corner[j]] += levers_[o].minus.force(j, force);
         }
         for (label j = 0; j < over.plus.size; ++j)
         {
             plusMessage& f = answers_[over.plus.corner[j]];
-            for (label i = 0; i < 3; ++i)
-            {
-                f[9 + i] -= over.plus.value[j]*force[i];
-            }
+            const vector share(levers_[o].plus.force(j, force));
+            for (label i = 0; i < 3; ++i) f[9 + i] -= share[i];
         }
     }
 
@@ -311,7 +374,8 @@ Foam::bodyInterface::bodyInterface
     minus_(minus),
     plus_(plus),
     twoWay_(readTwoWay(dict)),
-    pairing_(contactPairing::New(dict, minus_, plus_))
+    pairing_(contactPairing::New(dict, minus_, plus_)),
+    plusShare_(findPlusShare(minus_, plus_))
 {
     if (twoWay_ && minus_.body->variational())
     {
@@ -541,18 +605,19 @@ void Foam::bodyInterface::slide(const scalar middle, const scalar deltaT)
         if (p.result.state == acousticRiemann::status::open) continue;
 
         const contactOverlap& over = overlaps[o];
+        const levers& lever = levers_[o];
         vector way(Zero), mean(Zero);
         for (label j = 0; j < over.plus.size; ++j)
         {
             const slideMessage& m = slid_[over.plus.corner[j]];
-            way += over.plus.value[j]*vector(m[0], m[1], m[2]);
-            mean += over.plus.value[j]*vector(m[3], m[4], m[5]);
+            way += lever.plus.velocity(j, vector(m[0], m[1], m[2]));
+            mean += lever.plus.velocity(j, vector(m[3], m[4], m[5]));
         }
         for (label j = 0; j < over.minus.size; ++j)
         {
             const label node = minusNode[over.minus.corner[j]];
-            way -= over.minus.value[j]*body.stepVelocity(node);
-            mean -= over.minus.value[j]*body.meanStepVelocity(node);
+            way -= lever.minus.velocity(j, body.stepVelocity(node));
+            mean -= lever.minus.velocity(j, body.meanStepVelocity(node));
         }
         const bool stuck = p.result.state == acousticRiemann::status::stick;
         body.addSlide

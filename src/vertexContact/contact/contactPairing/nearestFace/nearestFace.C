@@ -359,6 +359,11 @@ void Foam::contactPairings::nearestFace::update(const scalar time)
       : active() ? updateDistance_*leastWidth_
       : 0.4*leastWidth_;
 
+    // What both sides have in common changes nothing between them
+    const vector frame
+    (
+        0.5*(minus_.body->meanVelocity() + plus_.body->meanVelocity())
+    );
     for (surfaceMotion* motion : {&minusMotion_, &plusMotion_})
     {
         const contactSide& side =
@@ -367,9 +372,9 @@ void Foam::contactPairings::nearestFace::update(const scalar time)
         (
             time,
             allowed,
-            returnReduce(motion->speed(vector::zero), maxOp<scalar>())
+            returnReduce(motion->speed(frame), maxOp<scalar>())
           + 0.1*side.body->material().cp(),
-            vector::zero
+            frame
         );
     }
 }
