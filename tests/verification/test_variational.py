@@ -191,10 +191,12 @@ def test_rest(tmp_path, figures, on, law, counts, ratio, weight):
     """A block on a plane or on a deformable base, whatever its mesh, comes to
     rest, stays there, and gains nothing."""
     tied = law["type"] == "tied"
-    block = Body(counts, name="block", sides={"bottom": "contact"})
+    # Without friction it would slide off the hollow that it makes: by halves
+    middle = {"left": "symmetryPlane"} if law == coulomb(0) else {}
+    block = Body(counts, name="block", sides={**middle, "bottom": "contact"})
     base = Body((round(ratio*counts[0]) or 1, *counts[1:]), name="base",
-                start=(-0.5, -1, 0), size=(2, 1, 1),
-                sides={**CLAMP, "top": "contact"})
+                start=(0 if middle else -0.5, -1, 0), size=(2, 1, 1),
+                sides={**CLAMP, **middle, "top": "contact"})
     if on == "plane":
         touch, more = {"side": ("block", "bottom"), "obstacle": FLOOR,
                        "law": law}, []
@@ -203,7 +205,8 @@ def test_rest(tmp_path, figures, on, law, counts, ratio, weight):
                                 pairing="AMI" if tied else "nearestFace"), [
                                     base]
     # Nothing but the dissipation of smooth waves brings it to rest
-    time = 20000.0 if on == "plane" else 6000.0
+    time = (60000.0 if law == coulomb(0) else
+            20000.0 if weight > 0.01 else 6000.0)
     run = case(tmp_path, [block, *more], time, {"writeInterval": time/4},
                every=20, interfaces={"contact": touch},
                gravity=(0, -weight, 0)).run()

@@ -508,7 +508,8 @@ Foam::vector Foam::solidBody::meanStepVelocity(const label node) const
 {
     const label d = dual_.nDim();
     return
-        0.5*(stepVelocity(node) + expand(data_.old.lm.cdata() + d*node)/data_.rho);
+        0.5
+       *(stepVelocity(node) + expand(data_.old.lm.cdata() + d*node)/data_.rho);
 }
 
 

@@ -66,7 +66,7 @@ Foam::scalar Foam::bodyInterface::findPlusShare
     };
     const scalar ofMinus = area(minus), ofPlus = area(plus);
     return
-        mag(ofMinus - ofPlus) < 1e-6*(ofMinus + ofPlus) ? 0.5
+        mag(ofMinus - ofPlus) < 1e-6*(ofMinus + ofPlus) ? -1
       : ofMinus < ofPlus ? 0 : 1;
 }
 
@@ -212,14 +212,8 @@ void Foam::bodyInterface::solveForces(const bool firstStage)
         }
 
         const scalar minusStretch = over.minus(M.stretch);
-        // Where the forces of both sides act
-        const scalar apart = between & p.n;
-        const vector middle
-        (
-            plusShare_*(between - apart*p.n) + 0.5*apart*p.n
-        );
         levers& lever = levers_[o];
-        const scalar below = lever.minus.set
+        const scalar minusTurns = lever.minus.take
         (
             over.minus,
             [&](const label j)
@@ -229,10 +223,9 @@ void Foam::bodyInterface::solveForces(const bool firstStage)
                     M.geometry.cornerNode[over.minus.corner[j]]
                 );
             },
-            middle,
             p.n
         );
-        const scalar above = lever.plus.set
+        const scalar plusTurns = lever.plus.take
         (
             over.plus,
             [&](const label j)
@@ -240,9 +233,19 @@ void Foam::bodyInterface::solveForces(const bool firstStage)
                 const cornerMessage& c = sent_[over.plus.corner[j]];
                 return vector(c[9], c[10], c[11]);
             },
-            middle - between,
             p.n
         );
+        // Where the forces of both sides act: nearer to the side that they
+        // turn less. Along the surfaces it stays with the smaller one
+        const scalar apart = between & p.n;
+        const scalar share = plusTurns/(minusTurns + plusTurns);
+        const vector middle
+        (
+            (plusShare_ < 0 ? share : plusShare_)*(between - apart*p.n)
+          + share*apart*p.n
+        );
+        const scalar below = lever.minus.fix(middle);
+        const scalar above = lever.plus.fix(middle - between);
         // Of the surfaces there, not of the points that were paired
         if (!bonded) p.gap = below - above;
 

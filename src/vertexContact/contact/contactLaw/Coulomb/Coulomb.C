@@ -20,7 +20,7 @@ Usage
     \table
         Property            | Description                         | Default
         frictionCoeff       | Coefficient k >= 0 of what slips [-] | required
-        staticFrictionCoeff | k_s >= k [-]                        | frictionCoeff
+        staticFrictionCoeff | k_s >= k [-]                       | frictionCoeff
         frictionDecay       | lambda > 0 [s/m]             | at once, infinite
     \endtable
 

@@ -1,0 +1,142 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+-------------------------------------------------------------------------------
+Description
+    A point fixed to a face: its velocity in rigid motions, and the forces of
+    the nodes, which are its transpose.
+
+\*---------------------------------------------------------------------------*/
+
+#include "testEnvironment.H"
+#include "contactLever.H"
+
+using namespace Foam;
+
+// * * * * * * * * * * * * * * * * Local Data  * * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Stencil with weights of some point
+contactStencil stencilOf(const std::vector<scalar>& weights)
+{
+    contactStencil s;
+    s.size = weights.size();
+    for (label j = 0; j < s.size; ++j)
+    {
+        s.corner[j] = j;
+        s.value[j] = weights[j];
+    }
+    return s;
+}
+
+struct sample
+{
+    std::vector<point> x;
+    std::vector<scalar> weights;
+    vector n;
+    vector offset;
+};
+
+//- Edge in 2D, triangle, twisted quadrilateral; n not across all of them
+const std::vector<sample> samples
+{
+    {
+        {{0, 0, 0}, {0.4, 0.1, 0}}, {0.3, 0.7},
+        vector(0.1, 1, 0)/mag(vector(0.1, 1, 0)), {0.05, 0.02, 0}
+    },
+    {
+        {{0, 0, 0}, {1, 0.2, 0.1}, {0.3, 0.9, 0}}, {0.2, 0.5, 0.3},
+        vector(0.1, -0.2, 1)/mag(vector(0.1, -0.2, 1)), {0.1, 0.2, -0.1}
+    },
+    {
+        {{0, 0, 0}, {1, 0, 0.2}, {1.2, 1, 0}, {0, 0.8, 0.1}},
+        {0.4, 0.3, 0.2, 0.1},
+        vector(0.3, 0.1, 1)/mag(vector(0.3, 0.1, 1)), {-0.2, 0.1, 0.3}
+    }
+};
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * //
+
+TEST_CASE("A lever moves rigidly, and its forces are the transpose")
+{
+    for (const sample& c : samples)
+    {
+        const contactStencil s(stencilOf(c.weights));
+        contactLever lever;
+        lever.take(s, [&](const label j) { return c.x[j]; }, c.n);
+        const scalar b = lever.fix(c.offset);
+        point at(c.offset);
+        for (label j = 0; j < s.size; ++j) at += s.value[j]*c.x[j];
+        const bool planar = s.size == 2;
+        const vector spin(planar ? 0 : 0.7, planar ? 0 : -0.4, 1.3);
+        const vector shift(2, -3, planar ? 0 : 1);
+        const vector f(0.3, -1.1, planar ? 0 : 0.8);
+
+        // The motion of a rigid body at the point, and sum and moment of forces
+        vector v(Zero), sum(Zero), moment(Zero);
+        point foot(Zero);
+        scalar power = 0;
+        vector any(Zero);
+        for (label j = 0; j < s.size; ++j)
+        {
+            v += lever.velocity(j, shift + (spin ^ c.x[j]));
+            sum += lever.force(j, f);
+            moment += c.x[j] ^ lever.force(j, f);
+            foot += lever.weight(j)*c.x[j];
+            const vector u(0.3*j - 1, 0.5 - 0.2*j*j, planar ? 0 : 0.1*j);
+            any += lever.velocity(j, u);
+            power += lever.force(j, f) & u;
+        }
+        CHECK(mag(sum - f) < 1e-14);
+        CHECK(mag(moment - (at ^ f)) < 1e-14);
+        CHECK(mag(foot + b*c.n - at) < 1e-14);
+        CHECK(mag(power - (any & f)) < 1e-14);
+        CHECK(mag(v - (shift + (spin ^ at))) < 1e-14);
+    }
+}
+
+
+TEST_CASE("A lever on a single corner keeps its weight")
+{
+    const contactStencil s(stencilOf({1}));
+    contactLever lever;
+    const scalar turns = lever.take
+    (
+        s, [](const label) { return point(1, 2, 3); }, vector(0, 0, 1)
+    );
+    CHECK(turns == GREAT);
+    CHECK(lever.fix(vector(0.1, 0, 0.2)) == 0.2);
+    const vector f(1, 2, 3);
+    CHECK(lever.velocity(0, f) == f);
+    CHECK(lever.force(0, f) == f);
+}
+
+
+TEST_CASE("A lever is not longer than its face, and a fine face turns more")
+{
+    const contactStencil s(stencilOf({0.5, 0.5}));
+    const auto edge = [](const scalar length)
+    {
+        return [=](const label j) { return point(length*j, 0, 0); };
+    };
+    const vector n(0, 1, 0);
+    contactLever lever;
+    CHECK(lever.take(s, edge(1), n) == 2);
+    CHECK(lever.take(s, edge(0.1), n) == Approx(200));
+
+    // Of the edge of length 0.1, a point 7 lengths away
+    CHECK(lever.fix(vector(0.7, 0.02, 0)) == Approx(0.02));
+    CHECK(lever.weight(0) == Approx(-0.5));
+    CHECK(lever.weight(1) == Approx(1.5));
+    const vector f(1, 2, 0);
+    CHECK(mag(lever.force(0, f) + lever.force(1, f) - f) < 1e-14);
+}
+
+
+// ************************************************************************* //
