@@ -96,12 +96,13 @@ def rests():
                ("tied", 0, "4x4", 3, 0.05)]
     million += [("plane", k, "4x4", 1, weight) for k in (0, 0.5)
                 for weight in (0.05, 0.005)]
-    some = [("body", 0.5, "4x4", ratio, 0.05) for ratio in (1, 1.5, 3, 4)]
+    some = [("body", 0.5, "4x4", ratio, 0.05) for ratio in (1, 1.5)]
     some += [("body", 0.5, "4x4", ratio, 0.005) for ratio in (1, 2, 4)]
     some += [("tied", 0, "4x4", ratio, 0.05) for ratio in (1, 2)]
     some += [("tied", 0, "4x4", ratio, 0.005) for ratio in (1, 3)]
     some += [("body", 0, "4x4", ratio, 0.005) for ratio in (1, 2, 4)]
     more = [("tied", 0, "4x4", 4, weight) for weight in (0.05, 0.005)]
+    more += [("body", 0.5, "4x4", ratio, 0.05) for ratio in (3, 4)]
     before = [("body", 0, "4x4", ratio, 0.05) for ratio in (1, 2, 4)]
     flat = [("plane", k, "2x2x2", 1, weight) for k in (0, 0.5)
             for weight in (0.05, 0.005)]
