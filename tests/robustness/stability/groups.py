@@ -100,10 +100,10 @@ def rests():
     some += [("body", 0.5, "4x4", ratio, 0.005) for ratio in (1, 2, 4)]
     some += [("tied", 0, "4x4", ratio, 0.05) for ratio in (1, 2)]
     some += [("tied", 0, "4x4", ratio, 0.005) for ratio in (1, 3)]
-    some += [("body", 0, "4x4", ratio, 0.005) for ratio in (1, 2, 4)]
+    some += [("body", 0, "4x4", ratio, weight) for ratio in (1, 2, 4)
+             for weight in (0.05, 0.005)]
     more = [("tied", 0, "4x4", 4, weight) for weight in (0.05, 0.005)]
     more += [("body", 0.5, "4x4", ratio, 0.05) for ratio in (3, 4)]
-    before = [("body", 0, "4x4", ratio, 0.05) for ratio in (1, 2, 4)]
     flat = [("plane", k, "2x2x2", 1, weight) for k in (0, 0.5)
             for weight in (0.05, 0.005)]
     flat += [("body", 0.5, "2x2x2", 1, 0.005)]
@@ -114,7 +114,7 @@ def rests():
     finest = [(on, k, "2x2x2", 4, 0.05) for on, k in (("body", 0.5),
                                                       ("tied", 0))]
     lengths = ((million, 10**6), (some, 2*10**5), (more, 4*10**5),
-               (before, 2*10**4), (flat, 10**5),
+               (flat, 10**5),
                (coarse, 4*10**5), (middle, 2*10**5), (fine, 5*10**4),
                (finest, 6*10**4))
     return [dict(zip(("on", "friction", "cells", "ratio", "weight", "steps"),

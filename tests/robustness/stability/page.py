@@ -90,9 +90,9 @@ NOTES = {
     step 0.754 of the velocity are left.""",
     "settling": """What sticks remembers where it began to. Before it did, a
     block of 2 x 2 x 2 cells on a body of the same cells turned about its
-    vertical axis. Without friction the displacement of a block along its base
-    grows from round-off with 0.03 per unit of time at 5 % of the modulus, 0.003
-    at 0.5 %.""",
+    vertical axis. Without friction, and without the plane of symmetry, the
+    displacement of a block along its base grows from round-off with 0.03 per
+    unit of time at 5 % of the modulus, 0.003 at 0.5 %.""",
     "vibration": """Bodies of one or two cells across have vibrations of which
     nothing is dissipated, since to the jumps of the velocities they are
     smooth. What is wrong is their energy at an instant, which swings by up to
