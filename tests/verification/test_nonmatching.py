@@ -175,8 +175,9 @@ def compressed(folder, low, high, ranks=1, moved=None, scheme=None,
              sides={**SYMMETRIC, "bottom": "contact",
                     "top": condition("pressure", pressure=pressure)})]
     case = collide(folder, bodies, ranks, 2, **settings)
-    return (max(largest(case.at("sigma", region=r)[:, 3] + pressure)
-                for r in ("low", "high"))/pressure,
+    # xy and yy
+    return (max(largest(case.at("sigma", region=r)[:, [1, 3]]
+                        + (0, pressure)) for r in ("low", "high"))/pressure,
             max(largest(case.at("pointU", region=r))
                 for r in ("low", "high")))
 

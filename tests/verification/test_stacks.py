@@ -1,0 +1,130 @@
+"""Bodies that lie on each other: a stack of rubber and steel at its static sag,
+and a block in the corner between two others."""
+
+import numpy as np
+import pytest
+
+from caseTools import DEFAULT
+from smallCases import Body, SmallCase, condition, interface, largest
+from test_friction import slowly
+
+FLOOR = {"type": "plane", "planeType": "pointAndNormal",
+         "pointAndNormalDict": {"point": (0, 0, 0), "normal": (0, 1, 0)}}
+CLAMP = condition("fixedVelocity", velocity=(0, 0, 0))
+
+
+def coming(weight, time):
+    """Gravity that is switched on without a jolt."""
+    return slowly(time, np.zeros(3), np.array(weight))
+
+
+def test_sag_of_a_stack(tmp_path, figures):
+    """Rubber, steel, rubber on a plane, no meshes that match, no friction:
+    their heights at rest are those of statics, and remain."""
+    g, h, T = 0.002, 0.5, 1200
+    rubber = {"type": "neoHookean", "rho": 1, "E": 1, "nu": 0.45}
+    steel = {"type": "neoHookean", "rho": 8, "E": 200, "nu": 0.3}
+    names = "lower", "middle", "upper"
+    blocks = [Body(
+        cells=cells, name=name, start=(0, i*h, 0), size=(1, h, 1),
+        material=material, forces=coming((0, -g, 0), T/3),
+        sides={"left": "symmetryPlane", "bottom": "contact",
+               **({} if name == "upper" else {"top": "contact"})})
+        for i, (name, cells, material) in enumerate(zip(
+            names, ((8, 4), (5, 3), (7, 4)), (rubber, steel, rubber)))]
+    touch = {"floor": {"side": ("lower", "bottom"), "obstacle": FLOOR}}
+    for below, above in zip(names, names[1:]):
+        touch[above] = interface((below, "top"), (above, "bottom"),
+                                 pairing="nearestFace")
+    case = SmallCase(tmp_path, blocks, T, interfaces=touch,
+                     functions=("contactForces",), preset=DEFAULT,
+                     control={"writeInterval": T/12}).run()
+
+    # Stress -(above + rho g (h - y)) of a strip that is free to widen
+    above, foot, sags = 0, 0, {}
+    loads = {}
+    for body in reversed(blocks):
+        loads[body.name] = above
+        above += body.material["rho"]*g*h
+    for body in blocks:
+        m = body.material
+        E = m["E"]/(1 - m["nu"]**2)
+        sag = (loads[body.name]*h + m["rho"]*g*h**2/2)/E
+        foot += sag
+        sags[body.name] = foot
+
+    def top(body, time):
+        y = case.X(body.name)[:, 1]
+        D = case.at("pointD", time, body.name)[:, 1]
+        return -D[np.isclose(y, y.max())].mean()
+
+    with figures("stack of rubber, steel and rubber") as f:
+        for body in blocks:
+            f.within(f"sag of the top, {body.name} / statics",
+                     top(body, case.last)/sags[body.name], 1, 0.02)
+            late = [top(body, t) for t in case.times[8:]]
+            f.atMost(f"it moves in the last third, {body.name} / sag",
+                     np.ptp(late)/sags[body.name], 1e-2)
+        for name, body in zip(touch, names):
+            contact = case.contact(name)
+            sides = [c[:-3] for c in contact if c.endswith(":Fy")]
+            Fx, Fy = (contact[f"{sides[0]}:F{c}"][-len(contact["Time"])//10:]
+                      .mean() for c in "xy")
+            f.within(f"force, {name} / weight above", abs(Fy)
+                     / (loads[body] + g*h*next(
+                         b.material["rho"] for b in blocks if b.name == body)),
+                     1, 0.01)
+            # Rubber becomes wider than steel: its edge bends round it
+            f.atMost(f"tangential / normal force, {name}", abs(Fx/Fy),
+                     1e-6 if name == "floor" else 1e-4)
+
+
+@pytest.mark.parametrize("named", (False, True))
+def test_corner_between_three(tmp_path, figures, named):
+    """A block in the corner between two others, pushed into both: its edge
+    touches both, and what holds for one holds for the other, mirrored."""
+    g, T = 0.01, 600
+    material = {"type": "neoHookean", "rho": 1, "E": 1, "nu": 0.3}
+    bodies = [
+        Body(cells=(4, 4), name="block", material=material, forces=coming(
+            (-g, -g, 0), T/3), sides={"bottom": "contact", "left": "contact"}),
+        Body(cells=(6, 5), name="floor", start=(0, -1, 0), material=material,
+             sides={"bottom": CLAMP, "top": "contact"}),
+        Body(cells=(5, 6), name="wall", start=(-1, 0, 0), material=material,
+             sides={"left": CLAMP, "right": "contact"})]
+    touch = {"all": {"surfaces": "all"}}
+    if named:
+        touch = {name: interface(("block", side), (name, other),
+                                 pairing="nearestFace")
+                 for name, side, other in (("floor", "bottom", "top"),
+                                           ("wall", "left", "right"))}
+    case = SmallCase(tmp_path, bodies, T, interfaces=touch, preset=DEFAULT,
+                     functions=("contactForces",)).run()
+    X, D = case.X("block"), case.at("pointD", region="block")
+    row = {tuple(x): i for i, x in enumerate(np.round(X, 8) + 0.0)}
+    swapped = [row[tuple(x)] for x in np.round(X[:, [1, 0, 2]], 8) + 0.0]
+    corner = np.flatnonzero(np.isclose(X[:, 0] + X[:, 1], 0))
+    K = case.energies["total:kinetic"]
+    own = case.ownEnergy
+    with figures(f"block in a corner, "
+                 f"{'named' if named else 'general'} contact") as f:
+        f.atMost("asymmetry / largest displacement", largest(
+            D[swapped][:, [1, 0, 2]] - D)/largest(D), 1e-7)
+        f.atMost("kinetic energy at the end / strain energy",
+                 K[-1]/case.energies["total:strain"][-1], 1e-6)
+        f.atMost("edge in both surfaces / cell",
+                 largest(np.minimum(D[corner][:, :2], 0))*4, 0.1)
+        f.atMost("energy gained / strain energy",
+                 (own - np.minimum.accumulate(own)).max()
+                 / case.energies["total:strain"].max(), 1e-3)
+        if named:
+            # Surfaces that give way are no longer flat: each carries a part of
+            # what the other one should
+            for c in "xy":
+                parts = [case.contact(name)[f"block.{side}:F{c}"]
+                         for name, side in (("floor", "bottom"),
+                                            ("wall", "left"))]
+                last = [part[-len(part)//10:].mean()/g for part in parts]
+                f.within(f"F{c} of both / weight", sum(last), 1, 1e-4)
+                f.atMost(f"of the tangential one, F{c}",
+                         min(map(abs, last)), 5e-3)
