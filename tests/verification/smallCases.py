@@ -54,6 +54,22 @@ def interface(minus, plus, law="frictionless", **more):
     return {"sides": (minus, plus), "pairing": "matching", "law": law, **more}
 
 
+# An obstacle
+FLOOR = {"type": "plane", "planeType": "pointAndNormal",
+         "pointAndNormalDict": {"point": (0, 0, 0), "normal": (0, 1, 0)}}
+
+
+def slowly(time, *values):
+    """Accelerations from each to the next within a time, without a jolt: what
+    vibrates has no dissipation, presses less now and then, and slips then."""
+    s = np.linspace(0, 1, 201)[1:]
+    part = (s**3*(10 - 15*s + 6*s**2))[:, None]
+    rows = [(0, tuple(values[0]))]
+    for i, (a, b) in enumerate(zip(values, values[1:])):
+        rows += zip(time*(i + s), map(tuple, (1 - part)*a + part*b))
+    return {"slope": {"type": "uniform", "acceleration": table(*rows)}}
+
+
 def coulomb(coefficient):
     return {"type": "Coulomb", "frictionCoeff": coefficient}
 

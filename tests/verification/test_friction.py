@@ -7,30 +7,17 @@ import numpy as np
 import pytest
 
 from caseTools import DEFAULT, checked
-from smallCases import (ELASTIC, RUBBER, Body, SmallCase, condition, coulomb,
-                        interface, largest, table)
+from smallCases import (ELASTIC, FLOOR, RUBBER, Body, SmallCase, condition,
+                        coulomb, interface, largest, slowly)
 
 CLAMP = condition("fixedVelocity", velocity=(0, 0, 0))
 HEIGHT, WEIGHT = 0.5, 0.02
-FLOOR = {"type": "plane", "planeType": "pointAndNormal",
-         "pointAndNormalDict": {"point": (0, 0, 0), "normal": (0, 1, 0)}}
 
 
 def settled(X):
     """sigma_yy = -rho g (h - y)."""
     y = X[:, 1:2]
     return -WEIGHT*(HEIGHT*y - y**2/2)*(0, 1, 0)
-
-
-def slowly(time, *values):
-    """Accelerations from each to the next within a time, without a jolt: what
-    vibrates has no dissipation, presses less now and then, and slips then."""
-    s = np.linspace(0, 1, 201)[1:]
-    part = (s**3*(10 - 15*s + 6*s**2))[:, None]
-    rows = [(0, tuple(values[0]))]
-    for i, (a, b) in enumerate(zip(values, values[1:])):
-        rows += zip(time*(i + s), map(tuple, (1 - part)*a + part*b))
-    return {"slope": {"type": "uniform", "acceleration": table(*rows)}}
 
 
 def block(forces, speed=0):

@@ -130,8 +130,10 @@ def test_angular_momentum_across_gap(tmp_path, figures, dimensions, distance,
                                      friction):
     """The default scheme: forces of both sides act at one point, whatever gap
     is between them, and however far they slide until they are paired anew."""
-    spin = lambda sign: lambda X: np.array((0.1, 0.3*sign, 0)) + 0.2*np.cross(
-        (0, 0, 1), X - 0.5)
+    def spin(sign):
+        return lambda X: np.array((0.1, 0.3*sign, 0)) + 0.2*np.cross(
+            (0, 0, 1), X - 0.5)
+
     low = Body(cells=(4, 4, 3)[:dimensions], name="low", velocity=spin(1),
                sides={"top": "contact"})
     high = Body(cells=(6, 5, 4)[:dimensions], name="high", velocity=spin(-1),

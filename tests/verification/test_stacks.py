@@ -5,11 +5,9 @@ import numpy as np
 import pytest
 
 from caseTools import DEFAULT
-from smallCases import Body, SmallCase, condition, interface, largest
-from test_friction import slowly
+from smallCases import (FLOOR, Body, SmallCase, condition, interface, largest,
+                        slowly)
 
-FLOOR = {"type": "plane", "planeType": "pointAndNormal",
-         "pointAndNormalDict": {"point": (0, 0, 0), "normal": (0, 1, 0)}}
 CLAMP = condition("fixedVelocity", velocity=(0, 0, 0))
 
 

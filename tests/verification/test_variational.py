@@ -4,8 +4,8 @@ and how bodies come to rest on each other."""
 import numpy as np
 import pytest
 
-from smallCases import (ELASTIC, RUBBER, Body, SmallCase, condition, coulomb,
-                        distorted, interface, largest, table)
+from smallCases import (ELASTIC, FLOOR, RUBBER, Body, SmallCase, condition,
+                        coulomb, distorted, interface, largest, table)
 
 STEEP = dict(RUBBER, nu=0.4995)             # the Jacobian is smoothed
 SPEED = np.sqrt((1 - 0.4)/((1 + 0.4)*(1 - 0.8)))
@@ -175,8 +175,6 @@ def test_work_of_a_moving_clamp(tmp_path, figures):
                  largest(run.energies["total:balance"])/held[0], 2e-3)
 
 
-FLOOR = {"type": "plane", "planeType": "pointAndNormal",
-         "pointAndNormalDict": {"point": (0, 0, 0), "normal": (0, 1, 0)}}
 CLAMP = {"bottom": condition("fixedVelocity", velocity=(0, 0, 0))}
 
 

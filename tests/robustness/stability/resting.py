@@ -5,13 +5,11 @@ from itertools import product
 import numpy as np
 
 import readResults
-from smallCases import (ELASTIC, Body, condition, coulomb, interface, largest)
+from smallCases import (ELASTIC, FLOOR, Body, condition, coulomb, interface,
+                        largest)
 
 from .free import STEP, counts, rubber
 from .judge import outcome, ownEnergy, small
-
-FLOOR = {"type": "plane", "planeType": "pointAndNormal",
-         "pointAndNormalDict": {"point": (0, 0, 0), "normal": (0, 1, 0)}}
 
 
 def every(steps, points):

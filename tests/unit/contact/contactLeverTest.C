@@ -69,8 +69,8 @@ TEST_CASE("A lever moves rigidly, and its forces are the transpose")
     {
         const contactStencil s(stencilOf(c.weights));
         contactLever lever;
-        lever.take(s, [&](const label j) { return c.x[j]; }, c.n);
-        const scalar b = lever.fix(c.offset);
+        lever.setFace(s, [&](const label j) { return c.x[j]; }, c.n);
+        const scalar b = lever.setPoint(c.offset);
         point at(c.offset);
         for (label j = 0; j < s.size; ++j) at += s.value[j]*c.x[j];
         const bool planar = s.size == 2;
@@ -106,12 +106,12 @@ TEST_CASE("A lever on a single corner keeps its weight")
 {
     const contactStencil s(stencilOf({1}));
     contactLever lever;
-    const scalar turns = lever.take
+    const scalar turns = lever.setFace
     (
         s, [](const label) { return point(1, 2, 3); }, vector(0, 0, 1)
     );
     CHECK(turns == GREAT);
-    CHECK(lever.fix(vector(0.1, 0, 0.2)) == 0.2);
+    CHECK(lever.setPoint(vector(0.1, 0, 0.2)) == 0.2);
     const vector f(1, 2, 3);
     CHECK(lever.velocity(0, f) == f);
     CHECK(lever.force(0, f) == f);
@@ -127,11 +127,11 @@ TEST_CASE("A lever is not longer than its face, and a fine face turns more")
     };
     const vector n(0, 1, 0);
     contactLever lever;
-    CHECK(lever.take(s, edge(1), n) == 2);
-    CHECK(lever.take(s, edge(0.1), n) == Approx(200));
+    CHECK(lever.setFace(s, edge(1), n) == 2);
+    CHECK(lever.setFace(s, edge(0.1), n) == Approx(200));
 
     // Of the edge of length 0.1, a point 7 lengths away
-    CHECK(lever.fix(vector(0.7, 0.02, 0)) == Approx(0.02));
+    CHECK(lever.setPoint(vector(0.7, 0.02, 0)) == Approx(0.02));
     CHECK(lever.weight(0) == Approx(-0.5));
     CHECK(lever.weight(1) == Approx(1.5));
     const vector f(1, 2, 0);

@@ -213,7 +213,7 @@ void Foam::bodyInterface::solveForces(const bool firstStage)
 
         const scalar minusStretch = over.minus(M.stretch);
         levers& lever = levers_[o];
-        const scalar minusTurns = lever.minus.take
+        const scalar minusTurns = lever.minus.setFace
         (
             over.minus,
             [&](const label j)
@@ -225,7 +225,7 @@ void Foam::bodyInterface::solveForces(const bool firstStage)
             },
             p.n
         );
-        const scalar plusTurns = lever.plus.take
+        const scalar plusTurns = lever.plus.setFace
         (
             over.plus,
             [&](const label j)
@@ -244,8 +244,8 @@ void Foam::bodyInterface::solveForces(const bool firstStage)
             (plusShare_ < 0 ? share : plusShare_)*(between - apart*p.n)
           + share*apart*p.n
         );
-        const scalar below = lever.minus.fix(middle);
-        const scalar above = lever.plus.fix(middle - between);
+        const scalar below = lever.minus.setPoint(middle);
+        const scalar above = lever.plus.setPoint(middle - between);
         // Of the surfaces there, not of the points that were paired
         if (!bonded) p.gap = below - above;
 
