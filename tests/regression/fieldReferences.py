@@ -35,6 +35,7 @@ TUTORIALS = (
     ("torusImpact/elastoPlastic", "2", 0.005, {}),
     ("hertzContact", "2", 8e-4, {}),
     ("hertzContact", "2", 8e-4, {"SCENE": "spheres"}),
+    ("shallowIroning", "4", 3e-4, {}),
     ("selfContact", "3", 0.0035, {}),
     ("taylorBar", "2", 1e-5, {}),
     ("twistingColumn", "2", 0.02, {}),
