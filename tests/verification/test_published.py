@@ -3,6 +3,8 @@
 import numpy as np
 import pytest
 
+import compressedSpheres
+import curvedBeams
 import published
 from caseTools import DEFAULT, Tutorial
 
@@ -53,3 +55,36 @@ def test_shallow_ironing(run, figures, mesh):
                  e["numericalDissipation"][-1]/work, 0.003)
         f.atMost("residual of the energy balance / work of the top",
                  np.abs(e["balance"]).max()/work, 1e-5)
+
+
+# Until the rings snap past each other, and (0.6) until friction makes them
+# vibrate, which statics knows nothing of [mm]
+STEADY = {"0": 18, "0.3": 21, "0.6": 15}
+
+
+@pytest.mark.parametrize("k", curvedBeams.FRICTION)
+def test_curved_beams(tmp_path, figures, k):
+    """Two rings that press past each other, against one source."""
+    case = curvedBeams.write(tmp_path, k).run()
+    places, (along, across) = curvedBeams.reactions(case)
+    theirs = curvedBeams.theirs()
+    off = np.hypot(along - theirs[f"{k}:x"], across - theirs[f"{k}:y"])
+    scale = np.max(theirs[f"{k}:y"])
+    e = {name: case.energies[f"total:{name}"] for name in
+         ("externalWork", "contactWork", "frictionDissipation", "kinetic",
+          "balance")}
+    work = e["externalWork"].max()
+    with figures(f"curved beams, k = {k}") as f:
+        f.atMost("force - theirs, before they snap / largest force",
+                 np.max(off[places <= STEADY[k]])/scale, 0.05)
+        f.atMost("force - theirs, mean / largest force", np.mean(off)/scale,
+                 0.12 if k == "0.6" else 0.04)
+        f.atMost("force that is left, apart / largest",
+                 np.hypot(along, across)[-1]/scale, 0.08)
+        f.atMost("energy that contact gives / work of the ends",
+                 (e["contactWork"] + e["frictionDissipation"]).max()/work,
+                 1e-4)
+        f.atMost("kinetic energy / work of the ends",
+                 e["kinetic"].max()/work, 0.04)
+        f.atMost("residual of the energy balance / work of the ends",
+                 np.abs(e["balance"]).max()/work, 1e-4)
