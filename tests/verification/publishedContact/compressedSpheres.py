@@ -1,28 +1,41 @@
+#!/usr/bin/env python3
 """Two concentric hollow half spheres that are pressed together between rigid
 planes, against published forces (compressedSpheres.csv).
 
 Radii 10, 12 and 14 mm; a quarter of them is meshed, and forces are those of
-the quarter. The planes have no friction, the spheres have it or not. The top
-comes 10 mm down; published forces are those of equilibrium."""
+the quarter. Their edges slide on the plane of symmetry below, and the
+inner one meets a floor there; the roof comes 10 mm down. Only the spheres have
+friction, or not. Published forces are those of equilibrium. Run, it makes
+compressedSpheres.png."""
 
+import sys
+import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
-import numpy as np
+tests = Path(__file__).resolve().parents[1]
+sys.path += [str(tests), str(tests.parents[1]/"tutorials")]
 
+import drawHistories
+import numpy as np
 import readResults
+from drawHistories import plt
+
 from caseTools import DEFAULT
 from smallCases import Body, SmallCase, condition, coulomb
 
 FILE = Path(__file__).with_suffix(".csv")
 HEIGHT = 14e-3
 WAY = 10e-3
-DURATION = 0.1
+DURATION = 0.05
+FRICTION = "0", "0.5"
+SOURCES = {"0": ("Abaqus", "Areias", "FEBio", "PusoLaursen"),
+           "0.5": ("Abaqus", "Areias", "FEBio")}
 MATERIAL = {"type": "neoHookean", "rho": 1000, "E": 1e6, "nu": 0.3}
 
-# Faces of the surface of a cube, as corners 0 or 1 of the other two directions
+# The first three lie in the planes of the axes
 PATCHES = {"sideX": "symmetryPlane", "sideY": "symmetryPlane",
-           "bottom": "contact", "inside": "contact", "outside": "contact"}
+           "bottom": "symmetryPlane", "inside": "contact", "outside": "contact"}
 
 
 @dataclass
@@ -94,10 +107,11 @@ def plane(body, side, z, normal, **more):
         {"point": (0, 0, z), "normal": (0, 0, normal)}}, **more}
 
 
-def write(folder, friction, duration=DURATION, n=12, across=4):
+def write(folder, friction, duration=DURATION, n=6, across=2):
     """The case, not yet run: cells over an edge of a block of the inner
     sphere, and through the thickness of each."""
-    law = coulomb(friction) if friction else {"type": "frictionless"}
+    law = coulomb(float(friction)) if float(friction) else {
+        "type": "frictionless"}
     down = {"solidBodyMotionFunction": "linearMotion", "linearMotionCoeffs":
             {"velocity": (0, 0, -WAY/duration)}}
     return SmallCase(
@@ -107,14 +121,56 @@ def write(folder, friction, duration=DURATION, n=12, across=4):
         duration,
         {"between": {"sides": (("inner", "outside"), ("outer", "inside")),
                      "pairing": "nearestFace", "law": law},
-         "floor": plane('".*"', '"(bottom|inside)"', 0, 1),
+         "floor": plane("inner", "inside", 0, 1),
          "roof": plane("outer", "outside", HEIGHT, -1, motion=down)},
         preset=DEFAULT, functions=("contactForces",),
         control={"writeInterval": duration/10, "maxCo": 0.9})
 
 
-def forces(case, duration=DURATION):
+def theirs():
+    """Columns displacement, and k:source; nan where a curve has ended."""
+    return readResults.csv(FILE)
+
+
+def history(case, duration=DURATION):
     """Ways of the roof [mm], and forces on it [N], of a run."""
     contact = readResults.table(case.path, "contactForces", "roof.dat")
     return 1e3*WAY*contact["Time"]/duration, np.abs(
         contact["outer.outside:Fz"])
+
+
+def forces(case, duration=DURATION, way=0.1):
+    """Displacements of theirs(), means of the force so many mm before and
+    behind."""
+    x, F = history(case, duration)
+    places = theirs()["displacement"]
+    return places, np.array([F[np.abs(x - at) < way].mean() for at in places])
+
+
+def plot(file, cases, duration):
+    """Forces of {k: case} over the published ones."""
+    figure, axes = plt.subplots(1, 2, figsize=(11, 4.5), sharey=True,
+                                layout="constrained")
+    data = theirs()
+    for ax, (k, case) in zip(axes, cases.items()):
+        for source, marker in zip(SOURCES[k], "o^sD"):
+            ax.plot(data["displacement"], data[f"{k}:{source}"], marker,
+                    color="0.5", markerfacecolor="none", markersize=5,
+                    label=source)
+        x, F = history(case, duration)
+        ax.plot(x, F, color="C0", linewidth=1, label="vertexContact")
+        ax.set(xlabel="displacement of the top [mm]", title=f"k = {k}",
+               xlim=(0, 9.7), ylim=(0, 7))
+        ax.grid(color="0.9")
+    axes[0].set_ylabel("force on a quarter [N]")
+    axes[0].legend()
+    figure.savefig(file, dpi=drawHistories.DPI)
+    plt.close(figure)
+
+
+if __name__ == "__main__":
+    SLOW = 0.1
+    with tempfile.TemporaryDirectory() as folder:
+        plot(FILE.with_suffix(".png"), {
+            k: write(Path(folder)/k, k, SLOW, 8, 3).run()
+            for k in FRICTION}, SLOW)
