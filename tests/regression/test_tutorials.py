@@ -17,7 +17,8 @@ def settings(tutorial):
     return {"MESH": {"twoBarImpact": "32", "spinningCube": "2",
                      "twistingColumn": "2", "nonMatchingBars": "1",
                      "torusImpact": "2", "hertzContact": "2",
-                     "taylorBar": "2"}.get(name, "4")}
+                     "taylorBar": "2", "newtonsCradle": "1",
+                     "hundredDiscs": "2"}.get(name, "4")}
 
 
 FAULTY = "twoBarImpact/similar"     # the tutorial of the tests of failures

@@ -333,15 +333,20 @@ void Foam::solidSystem::leap(const scalar time)
             bodies_[i].leap(startOfStep_, deltaT, energiesOn_, accounts_[i]);
         });
     }
-    for (contactInterface& contact : interfaces_)
+    const auto start = std::chrono::steady_clock::now();
+    passTimes::timed(passTimes::contact, [&]
     {
-        contact.accumulate(middle);
-        contact.slide(middle, deltaT);
-    }
-    for (solidBody& body : bodies_)
-    {
-        body.finishSlide();
-    }
+        for (contactInterface& contact : interfaces_)
+        {
+            contact.accumulate(middle);
+            contact.slide(middle, deltaT);
+        }
+        for (solidBody& body : bodies_)
+        {
+            body.finishSlide();
+        }
+    });
+    contactSeconds_ += secondsSince(start);
     evaluate(time, 0);
 
     label nBad = 0;
@@ -358,6 +363,7 @@ void Foam::solidSystem::settle(const label nBad)
     // Outdated pairings and signals share the reduction
     bool outdated = false;
     string lost;
+    const auto start = std::chrono::steady_clock::now();
     for (contactInterface& contact : interfaces_)
     {
         if (lost.empty()) lost = contact.lost();
@@ -365,6 +371,7 @@ void Foam::solidSystem::settle(const label nBad)
             outdated
          || (contact.moves() && contact.outdated(runTime_.value()));
     }
+    pairingSeconds_ += secondsSince(start);
     const vector all
     (
         returnReduce

@@ -54,20 +54,18 @@ Foam::contactSide Foam::bodyInterface::readSide
 }
 
 
-Foam::scalar Foam::bodyInterface::findPlusShare
+Foam::scalar Foam::bodyInterface::onMinus
 (
-    const contactSide& minus,
-    const contactSide& plus
+    const scalar waySqr,
+    const scalar minusTurns,
+    const scalar plusTurns
 )
 {
-    const auto area = [](const contactSide& side)
-    {
-        return gSum(side.body->corners(side.patchi).geometry.cornerArea);
-    };
-    const scalar ofMinus = area(minus), ofPlus = area(plus);
+    const scalar reach = sqrt(waySqr*max(minusTurns, plusTurns));
     return
-        mag(ofMinus - ofPlus) < 1e-6*(ofMinus + ofPlus) ? -1
-      : ofMinus < ofPlus ? 0 : 1;
+        reach < 2 ? 0.5
+      : minusTurns > plusTurns ? 1/reach
+      : 1 - 1/reach;
 }
 
 
@@ -235,14 +233,14 @@ void Foam::bodyInterface::solveForces(const bool firstStage)
             },
             p.n
         );
-        // Where the forces of both sides act: nearer to the side that they
-        // turn less. Along the surfaces it stays with the smaller one
+        // Where the forces of both sides act: across the gap nearer to the side
+        // that they turn less
         const scalar apart = between & p.n;
-        const scalar share = plusTurns/(minusTurns + plusTurns);
+        const vector along(between - apart*p.n);
         const vector middle
         (
-            (plusShare_ < 0 ? share : plusShare_)*(between - apart*p.n)
-          + share*apart*p.n
+            onMinus(magSqr(along), minusTurns, plusTurns)*along
+          + plusTurns/(minusTurns + plusTurns)*apart*p.n
         );
         const scalar below = lever.minus.setPoint(middle);
         const scalar above = lever.plus.setPoint(middle - between);
@@ -377,8 +375,7 @@ Foam::bodyInterface::bodyInterface
     minus_(minus),
     plus_(plus),
     twoWay_(readTwoWay(dict)),
-    pairing_(contactPairing::New(dict, minus_, plus_)),
-    plusShare_(findPlusShare(minus_, plus_))
+    pairing_(contactPairing::New(dict, minus_, plus_))
 {
     if (twoWay_ && minus_.body->variational())
     {

@@ -1,0 +1,84 @@
+#!/usr/bin/env python3
+"""Pictures of this case: deformation.png, energies.png and box.png.
+
+    plot.py [CASE]
+"""
+
+import os
+import sys
+from pathlib import Path
+
+# tutorials/, also for a case that was copied elsewhere
+sys.path += [str(Path(__file__).resolve().parent.parent),
+             os.environ.get("VERTEXCONTACT_DIR", ".") + "/tutorials"]
+
+import discs
+import drawFields
+import drawHistories
+import heap
+from drawHistories import plt
+
+MESHES = {4: "Mesh I", 6: "Mesh II", 8: "Mesh III", 12: "Mesh IV"}
+TIMES = 0.1, 0.2, 0.3, 0.8
+TIME_UNIT = "s", 1
+PRESSURE = drawFields.Field("pressure", "pressure [kPa]", 1e3)
+
+
+def size(case):
+    """Elements along a quarter of a disc."""
+    return int(drawHistories.parameter(case, "nQuarter", 6))
+
+
+def label(case):
+    n = size(case)
+    return MESHES.get(n, f"{n} elements")
+
+
+def axes(ylabel):
+    figure, ax = plt.subplots(figsize=(8, 5), layout="constrained")
+    ax.set(xlabel="time [s]", ylabel=ylabel)
+    ax.grid(color="0.9")
+    ax.margins(x=0)
+    return figure, ax
+
+
+def finish(file, figure, ax):
+    ax.legend()
+    figure.savefig(file, dpi=drawHistories.DPI)
+    plt.close(figure)
+
+
+def plotEnergies(file, run):
+    """Where the work of gravity goes."""
+    times, parts = heap.ledger(run.folder)
+    figure, ax = axes("energy [J/m]")
+    ax.set_title(run.label)
+    for name, energy in parts.items():
+        ax.plot(times, energy, label=name)
+    finish(file, figure, ax)
+
+
+def plotBox(file, runs):
+    """Force of the box over the weight."""
+    figure, ax = axes("force of the box upwards / weight of the discs")
+    ax.axhline(1, color="black", linewidth=1, linestyle=":")
+    for run in runs:
+        times, force, *_ = heap.box(run.folder)
+        ax.plot(times, force[:, 1]/heap.mass(size(run.folder))/heap.GRAVITY,
+                label=run.label, **run.style)
+    finish(file, figure, ax)
+
+
+def main(case="."):
+    case = Path(case)
+    runs = drawHistories.findRuns(case, size, label)
+    plotEnergies(case/"energies.png", runs[-1])
+    plotBox(case/"box.png", runs)
+    drawFields.draw(
+        case/"deformation.png", drawFields.read(case, TIMES, PRESSURE),
+        PRESSURE, TIME_UNIT, columns=2, width=9,
+        window=(0, discs.WIDTH, 0, 0.28))
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
