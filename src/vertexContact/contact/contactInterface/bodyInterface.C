@@ -8,6 +8,7 @@
 #include "solidBody.H"
 #include "surfaceSelection.H"
 #include "dictionaryCheck.H"
+#include "bitSet.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -92,7 +93,24 @@ void Foam::bodyInterface::resize()
 
     closed_.setSize(overlaps.size(), false);
     problems_.setSize(overlaps.size());
-    if (minus_.body->variational()) levers_.setSize(overlaps.size());
+    near_.clear();
+    if (minus_.body->variational())
+    {
+        levers_.setSize(overlaps.size());
+        near_.reserve(overlaps.size());
+
+        const label n = minus_.body->corners(minus_.patchi).size();
+        minusPosition_.setSize(n);
+        bitSet overlap(n);
+        for (const contactOverlap& o : overlaps)
+        {
+            for (label j = 0; j < o.minus.size; ++j)
+            {
+                overlap.set(o.minus.corner[j]);
+            }
+        }
+        minusCorners_ = overlap.sortedToc();
+    }
 
     if (twoWay_)
     {
@@ -151,6 +169,72 @@ void Foam::bodyInterface::send()
 }
 
 
+template<class Vectors>
+Foam::scalar Foam::bodyInterface::range
+(
+    const label size,
+    const Vectors& of,
+    const vector& n
+)
+{
+    scalar least = of(0) & n, most = least;
+    for (label j = 1; j < size; ++j)
+    {
+        const scalar along = of(j) & n;
+        least = min(least, along);
+        most = max(most, along);
+    }
+    return most - least;
+}
+
+
+bool Foam::bodyInterface::apart
+(
+    const contactOverlap& over,
+    const vector& n,
+    const scalar gap,
+    const scalar closing,
+    const scalar time
+) const
+{
+    if (gap <= max(closing, scalar(0))*time) return false;
+
+    const FixedList<label, 4>& minus = over.minus.corner;
+    const FixedList<label, 4>& plus = over.plus.corner;
+    const cornerStates& M = minus_.body->corners(minus_.patchi);
+    const auto received = [&](const label j, const label i)
+    {
+        const cornerMessage& c = sent_[plus[j]];
+        return vector(c[i], c[i + 1], c[i + 2]);
+    };
+    const scalar left =
+        gap
+      - range
+        (
+            over.minus.size,
+            [&](const label j) { return minusPosition_[minus[j]]; }, n
+        )
+      - range
+        (
+            over.plus.size,
+            [&](const label j) { return received(j, 9); }, n
+        );
+    if (left <= max(closing, scalar(0))*time) return false;
+
+    const scalar fastest =
+        closing
+      + range
+        (
+            over.minus.size, [&](const label j) { return M.v[minus[j]]; }, n
+        )
+      + range
+        (
+            over.plus.size, [&](const label j) { return received(j, 0); }, n
+        );
+    return left > fastest*time;
+}
+
+
 void Foam::bodyInterface::solveForces(const bool firstStage)
 {
     solidBody& body = *minus_.body;
@@ -162,42 +246,87 @@ void Foam::bodyInterface::solveForces(const bool firstStage)
     const bool bonded = law().bonded();
     const bool sticks = law().sticks();
 
-    forAll(problems_, o)
+    for (const label k : minusCorners_)
+    {
+        minusPosition_[k] = body.position(M.geometry.cornerNode[k]);
+    }
+    answers_.setSize(pairing_->nSlots());
+    answers_ = noPlusMessage();
+    near_.clear();
+
+    forAll(overlaps, o)
     {
         const contactOverlap& over = overlaps[o];
-        contactLaw::problem& p = problems_[o];
 
-        cornerMessage m(scalar(0));
+        // The plus side at the centroid
+        vector v(Zero), nPlus(Zero), xPlus(Zero);
+        scalar plusStretch = 0, plusDepth = 0;
         for (label j = 0; j < over.plus.size; ++j)
         {
+            const scalar N = over.plus.value[j];
             const cornerMessage& c = sent_[over.plus.corner[j]];
-            forAll(m, i) m[i] += over.plus.value[j]*c[i];
+            v += N*vector(c[0], c[1], c[2]);
+            nPlus += N*vector(c[6], c[7], c[8]);
+            xPlus += N*vector(c[9], c[10], c[11]);
+            plusStretch += N*c[12];
+            plusDepth += N*c[14];
         }
-        vector x(Zero), X(Zero);
-        for (label j = 0; j < over.minus.size; ++j)
-        {
-            const label node =
-                M.geometry.cornerNode[over.minus.corner[j]];
-            x += over.minus.value[j]*body.position(node);
-            if (bonded)
-            {
-                X +=
-                    over.minus.value[j]
-                   *body.mesh().points()[body.dual().nodePoint()[node]];
-            }
-        }
-        const vector between(vector(m[9], m[10], m[11]) - x);
-        const bool opposed = contactOverlaps::commonNormal
+        const vector between(xPlus - over.minus(minusPosition_));
+        vector n;
+        const bool opposed =
+            contactOverlaps::commonNormal(over.minus(M.n), nPlus, n);
+        const scalar distance = between & n;
+        const contactLayer layer
         (
-            over.minus(M.n), vector(m[6], m[7], m[8]), p.n
+            layerSide(body, over.minus(depth)),
+            layerSide(*plus_.body, plusDepth)
         );
+        if
+        (
+            !bonded
+         && (
+                !opposed
+             || apart
+                (
+                    over, n, distance, (over.minus(M.v) - v) & n,
+                    layer.closingTime(M.zp, P.zp, deltaT)
+                )
+            )
+        )
+        {
+            ++statistics_.nOpen;
+            answerMessage open(noAnswer());
+            open[7] = distance;
+            setState(minus_, over.minus.corner[0], open, firstStage);
+            scalar& told = answers_[over.plus.corner[0]][7];
+            told = min(told, distance);
+            continue;
+        }
+
+        const label i = near_.size();
+        near_.append(o);
+        contactLaw::problem& p = problems_[i];
+        p.n = n;
+        p.gap = distance;
 
         // The reference gap lies along the normal
         vector shift(Zero);
-        p.gap = between & p.n;
         if (bonded)
         {
-            const vector atFirst(vector(m[15], m[16], m[17]) - X);
+            const pointField& points = body.mesh().points();
+            vector atFirst(Zero);
+            for (label j = 0; j < over.plus.size; ++j)
+            {
+                const cornerMessage& c = sent_[over.plus.corner[j]];
+                atFirst += over.plus.value[j]*vector(c[15], c[16], c[17]);
+            }
+            for (label j = 0; j < over.minus.size; ++j)
+            {
+                const label node =
+                    M.geometry.cornerNode[over.minus.corner[j]];
+                atFirst -=
+                    over.minus.value[j]*points[body.dual().nodePoint()[node]];
+            }
             shift = between - p.gap*p.n;
             p.gap -= mag(atFirst)*sign(atFirst & referenceNormal(over));
         }
@@ -210,16 +339,13 @@ void Foam::bodyInterface::solveForces(const bool firstStage)
         }
 
         const scalar minusStretch = over.minus(M.stretch);
-        levers& lever = levers_[o];
+        levers& lever = levers_[i];
         const scalar minusTurns = lever.minus.setFace
         (
             over.minus,
             [&](const label j)
             {
-                return body.position
-                (
-                    M.geometry.cornerNode[over.minus.corner[j]]
-                );
+                return minusPosition_[over.minus.corner[j]];
             },
             p.n
         );
@@ -235,12 +361,11 @@ void Foam::bodyInterface::solveForces(const bool firstStage)
         );
         // Where the forces of both sides act: across the gap nearer to the side
         // that they turn less
-        const scalar apart = between & p.n;
-        const vector along(between - apart*p.n);
+        const vector along(between - distance*p.n);
         const vector middle
         (
             onMinus(magSqr(along), minusTurns, plusTurns)*along
-          + plusTurns/(minusTurns + plusTurns)*apart*p.n
+          + plusTurns/(minusTurns + plusTurns)*distance*p.n
         );
         const scalar below = lever.minus.setPoint(middle);
         const scalar above = lever.plus.setPoint(middle - between);
@@ -248,7 +373,8 @@ void Foam::bodyInterface::solveForces(const bool firstStage)
         if (!bonded) p.gap = below - above;
 
         p.minus.v = p.plus.v = vector::zero;
-        vector nMinus(Zero), nPlus(Zero);
+        vector nMinus(Zero);
+        nPlus = vector::zero;
         for (label j = 0; j < over.minus.size; ++j)
         {
             const label k = over.minus.corner[j];
@@ -268,14 +394,9 @@ void Foam::bodyInterface::solveForces(const bool firstStage)
         p.plus.zs = P.zs;
         p.area = 0.5*(over.minus.area + over.plus.area);
 
-        const contactLayer layer
-        (
-            layerSide(body, over.minus(depth)),
-            layerSide(*plus_.body, m[14])
-        );
         layer.set
         (
-            p, 0.5*(minusStretch + m[12]), opposed, bonded, shift, deltaT
+            p, 0.5*(minusStretch + plusStretch), opposed, bonded, shift, deltaT
         );
         countClosing(p, over.depth);
         if (opposed && p.gap < -lostDepth*over.depth && closed_[o])
@@ -284,21 +405,19 @@ void Foam::bodyInterface::solveForces(const bool firstStage)
         }
     }
 
-    solveProblems();
+    solveProblems(near_.size());
 
-    answers_.setSize(pairing_->nSlots());
-    answers_ = noPlusMessage();
-    forAll(problems_, o)
+    forAll(near_, i)
     {
-        const contactOverlap& over = overlaps[o];
-        const contactLaw::problem& p = problems_[o];
+        const contactOverlap& over = overlaps[near_[i]];
+        const contactLaw::problem& p = problems_[i];
         count(p, over.width, over.depth, p.area, p.area);
 
         const answerMessage toMinus(answer(p, p.area, over.minus.area));
         const answerMessage toPlus(plusAnswer(p, p.area, over.plus.area));
         setState(minus_, over.minus.corner[0], toMinus, firstStage);
         plusMessage told(noPlusMessage());
-        forAll(toPlus, i) told[i] = toPlus[i];
+        forAll(toPlus, k) told[k] = toPlus[k];
         combineAnswers()(answers_[over.plus.corner[0]], told);
         if (p.result.state == acousticRiemann::status::open)
         {
@@ -309,13 +428,13 @@ void Foam::bodyInterface::solveForces(const bool firstStage)
         const vector force(p.area*p.result.t);
         for (label j = 0; j < over.minus.size; ++j)
         {
-            M.force[over.minus.corner[j]] += levers_[o].minus.force(j, force);
+            M.force[over.minus.corner[j]] += levers_[i].minus.force(j, force);
         }
         for (label j = 0; j < over.plus.size; ++j)
         {
             plusMessage& f = answers_[over.plus.corner[j]];
-            const vector share(levers_[o].plus.force(j, force));
-            for (label i = 0; i < 3; ++i) f[9 + i] -= share[i];
+            const vector share(levers_[i].plus.force(j, force));
+            for (direction c = 0; c < 3; ++c) f[9 + c] -= share[c];
         }
     }
 
@@ -599,13 +718,13 @@ void Foam::bodyInterface::slide(const scalar middle, const scalar deltaT)
     pairing_->toSlots(slid_);
 
     const List<contactOverlap>& overlaps = pairing_->overlaps();
-    forAll(problems_, o)
+    forAll(near_, i)
     {
-        const contactLaw::problem& p = problems_[o];
+        const contactLaw::problem& p = problems_[i];
         if (p.result.state == acousticRiemann::status::open) continue;
 
-        const contactOverlap& over = overlaps[o];
-        const levers& lever = levers_[o];
+        const contactOverlap& over = overlaps[near_[i]];
+        const levers& lever = levers_[i];
         vector way(Zero), mean(Zero);
         for (label j = 0; j < over.plus.size; ++j)
         {
