@@ -65,8 +65,11 @@ GOOD = (
 POOR = (
     """Bodies of one or two cells across, in all directions, vibrate for ever,
     and their energy at a step swings by up to a fifth (free vibration).""",
-    """Without friction blocks slide off soft bases: that is physics (rest
-    under gravity).""",
+    """Without friction blocks slide off soft bases: that is physics. Half of
+    one, held by a mirror, swings with its base for ever; on a base of cells
+    of half the length, under 5 % of its modulus, the two gain 0.1 % of what
+    they had lost: between two pairings pressure lags behind at the edge of a
+    block that slides (rest under gravity).""",
     """Rubber of a Poisson's ratio of 0.4999 that is squeezed by 40 % of its
     volume and let go gains energy within a few steps, with preset fast or with
     native cells (release).""",

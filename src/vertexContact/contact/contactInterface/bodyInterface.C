@@ -62,11 +62,11 @@ Foam::scalar Foam::bodyInterface::onMinus
     const scalar plusTurns
 )
 {
-    const scalar reach = sqrt(waySqr*max(minusTurns, plusTurns));
+    const scalar lengthsSqr = waySqr*max(minusTurns, plusTurns);
     return
-        reach < 2 ? 0.5
-      : minusTurns > plusTurns ? 1/reach
-      : 1 - 1/reach;
+        lengthsSqr < 4 ? 0.5
+      : minusTurns > plusTurns ? 2/lengthsSqr
+      : 1 - 2/lengthsSqr;
 }
 
 
