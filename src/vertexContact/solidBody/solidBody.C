@@ -520,25 +520,6 @@ Foam::labelList Foam::solidBody::contactPatches() const
 }
 
 
-Foam::vector Foam::solidBody::expand(const scalar* components) const
-{
-    vector v(Zero);
-    for (label i = 0; i < dual_.nDim(); ++i)
-    {
-        v[dual_.directions()[i]] = components[i];
-    }
-    return v;
-}
-
-
-Foam::point Foam::solidBody::position(const label node) const
-{
-    return
-        mesh_.points()[dual_.nodePoint()[node]]
-      + expand(data_.state.disp.cdata() + node*dual_.nDim());
-}
-
-
 Foam::vector Foam::solidBody::projected(const point& p) const
 {
     vector v(Zero);

@@ -95,15 +95,26 @@ def reactions(case, way=0.3):
         [F[:, np.abs(x - at) < way].mean(axis=1) for at in places]).T
 
 
+def smoothed(x, F, way=0.3):
+    """Means so many mm before and behind."""
+    at = np.arange(way, 1e3*WAY - way, way)
+    return at, np.array(
+        [F[:, np.abs(x - place) < way].mean(axis=1) for place in at]).T
+
+
 def plot(file, cases):
-    """Reactions of {k: case} over the published ones."""
+    """Reactions of {k: case} over the published ones: as they are (pale), and
+    their means."""
     figure, axes = plt.subplots(1, 2, figsize=(11, 4.5), sharex=True,
                                 layout="constrained")
     data = theirs()
     for (k, case), colour in zip(cases.items(), ("C0", "C1", "C2")):
         x, F = history(case)
-        for ax, values, c in zip(axes, F, "xy"):
-            ax.plot(x, values, color=colour, linewidth=1, label=f"k = {k}")
+        places, means = smoothed(x, F)
+        for ax, values, mean, c in zip(axes, F, means, "xy"):
+            ax.plot(x, values, color=colour, linewidth=0.3, alpha=0.2)
+            ax.plot(places, mean, color=colour, linewidth=1.5,
+                    label=f"k = {k}")
             ax.plot(data["displacement"], data[f"{k}:{c}"], "o",
                     color=colour, markerfacecolor="none", markersize=5,
                     label=f"Neto et al., k = {k}")

@@ -17,40 +17,27 @@ namespace
 
 using namespace Foam;
 
-//- All processors' sums of flags
-boolList anywhere(const boolList& mine)
+//- Values of each, combined over all processors in one exchange
+template<class T, class Combine>
+List<T> everywhere(const List<T>& mine, const Combine& combine)
 {
     if (!Pstream::parRun()) return mine;
-    List<boolList> all(Pstream::nProcs());
+    List<List<T>> all(Pstream::nProcs());
     all[Pstream::myProcNo()] = mine;
     Pstream::gatherList(all);
     Pstream::scatterList(all);
-    boolList any(mine);
-    for (const boolList& some : all)
+    List<T> whole(all[0]);
+    for (label rank = 1; rank < all.size(); ++rank)
     {
-        forAll(any, i) any[i] = any[i] || some[i];
-    }
-    return any;
-}
-
-//- All processors' boxes of each
-List<boundBox> everywhere(const List<boundBox>& mine)
-{
-    if (!Pstream::parRun()) return mine;
-    List<List<boundBox>> all(Pstream::nProcs());
-    all[Pstream::myProcNo()] = mine;
-    Pstream::gatherList(all);
-    Pstream::scatterList(all);
-    List<boundBox> whole(mine);
-    for (const List<boundBox>& some : all)
-    {
-        forAll(whole, i)
-        {
-            whole[i].min() = min(whole[i].min(), some[i].min());
-            whole[i].max() = max(whole[i].max(), some[i].max());
-        }
+        forAll(whole, i) combine(whole[i], all[rank][i]);
     }
     return whole;
+}
+
+void joinBox(boundBox& a, const boundBox& b)
+{
+    a.min() = min(a.min(), b.min());
+    a.max() = max(a.max(), b.max());
 }
 
 } // End anonymous namespace
@@ -63,14 +50,22 @@ Foam::labelList Foam::generalInterface::candidates(const scalar time)
     // Until the next search each side moves by reach_ at most, and pairings
     // look as far as twice that
     const scalar grown = 2*reach_;
-    vector frame(Zero);
     List<boundBox> boxes(surfaces_.size());
+    List<vector> momentum(surfaces_.size());
+    List<scalar> mass(surfaces_.size()), speed(surfaces_.size());
     forAll(surfaces_, i)
     {
         boxes[i] = motions_[i].box();
-        frame += surfaces_[i].body->meanVelocity()/surfaces_.size();
+        momentum[i] = surfaces_[i].body->linearMomentum();
+        mass[i] = surfaces_[i].body->mass();
     }
-    boxes = everywhere(boxes);
+    boxes = everywhere(boxes, joinBox);
+    momentum = everywhere(momentum, plusEqOp<vector>());
+    mass = everywhere(mass, plusEqOp<scalar>());
+    vector frame(Zero);
+    forAll(surfaces_, i) frame += momentum[i]/mass[i]/surfaces_.size();
+    forAll(surfaces_, i) speed[i] = motions_[i].speed(frame);
+    speed = everywhere(speed, maxEqOp<scalar>());
 
     pointField centres(boxes.size());
     scalarField radius(boxes.size());
@@ -84,8 +79,7 @@ Foam::labelList Foam::generalInterface::candidates(const scalar time)
         (
             time,
             reach_,
-            returnReduce(motions_[i].speed(frame), maxOp<scalar>())
-          + 0.1*surfaces_[i].body->material().cp(),
+            speed[i] + 0.1*surfaces_[i].body->material().cp(),
             frame
         );
     }
@@ -232,7 +226,7 @@ void Foam::generalInterface::update(const scalar time, const bool all)
         }
         reduce(search, orOp<bool>());
         forAll(parts_, i) moved[i] = parts_[i].outdated(time, 0.5);
-        moved = anywhere(moved);
+        moved = everywhere(moved, orEqOp<bool>());
     }
 
     // What is there and near stays
