@@ -16,8 +16,16 @@ def _segments(case, functionObject, name):
     return files
 
 
+def _value(token):
+    try:
+        return float(token)
+    except ValueError:
+        return token
+
+
 def _read(file):
-    """Header lines, and the numbers as an array with a row for each line."""
+    """Header lines, and the numbers as an array with a row for each line; of
+    objects if there are names among them."""
     header, rows = [], []
     with open(file) as lines:
         for line in lines:
@@ -25,8 +33,12 @@ def _read(file):
     rows = [row for row in rows if row.strip()]
     if not rows:
         return header, np.empty((0, 0))
-    numbers = np.array(" ".join(rows).translate(_BRACKETS).split(), dtype=float)
-    return header, numbers.reshape(len(rows), -1)
+    tokens = " ".join(rows).translate(_BRACKETS).split()
+    try:
+        values = np.array(tokens, dtype=float)
+    except ValueError:
+        values = np.array([_value(token) for token in tokens], dtype=object)
+    return header, values.reshape(len(rows), -1)
 
 
 def _joined(files):
@@ -47,13 +59,15 @@ def _joined(files):
 
 def table(case, functionObject, name):
     """Columns of a table as a dictionary, keys without units: 'Time',
-    'bar1:kinetic' ..."""
+    'bar1:kinetic' ... Those of names, as 'minus' and 'plus' where each pair of
+    surfaces has rows of its own, are strings."""
     header, data = _joined(_segments(case, functionObject, name))
     keys = [key.split("[")[0] for key in header[-1].lstrip("#").split()]
     if len(keys) != data.shape[1]:
         raise ValueError(f"{functionObject}/{name}: {len(keys)} names for "
                          f"{data.shape[1]} columns")
-    return dict(zip(keys, data.T))
+    return {key: column.astype(str if isinstance(column[0], str) else float)
+            for key, column in zip(keys, data.T)}
 
 
 def probe(case, functionObject, field, point=0):

@@ -37,7 +37,6 @@ TUTORIALS = (
     ("hertzContact", "2", 8e-4, {"SCENE": "spheres"}),
     ("shallowIroning", "4", 3e-4, {}),
     ("newtonsCradle", "1", 1e-3, {}),
-    ("hundredDiscs", "2", 0.07, {}),
     ("selfContact", "3", 0.0035, {}),
     ("taylorBar", "2", 1e-5, {}),
     ("twistingColumn", "2", 0.02, {}),

@@ -255,6 +255,13 @@ class Runs:
         return self.start(scene).result()
 
 
+def meansAround(x, values, places, way):
+    """Means of values, along the last axis, where x is within a way of each of
+    the places."""
+    return np.stack([values[..., np.abs(x - place) < way].mean(axis=-1)
+                     for place in places], axis=-1)
+
+
 def relativeL1(times, values, exact):
     """Integral of |values - exact| over that of |exact|, in time."""
     times = np.asarray(times)

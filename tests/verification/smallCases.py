@@ -59,11 +59,16 @@ FLOOR = {"type": "plane", "planeType": "pointAndNormal",
          "pointAndNormalDict": {"point": (0, 0, 0), "normal": (0, 1, 0)}}
 
 
+def smooth(s):
+    """From 0 to 1 between 0 and 1, without a jolt at either end."""
+    return s**3*(10 - 15*s + 6*s**2)
+
+
 def slowly(time, *values):
     """Accelerations from each to the next within a time, without a jolt: what
     vibrates has no dissipation, presses less now and then, and slips then."""
     s = np.linspace(0, 1, 201)[1:]
-    part = (s**3*(10 - 15*s + 6*s**2))[:, None]
+    part = smooth(s)[:, None]
     rows = [(0, tuple(values[0]))]
     for i, (a, b) in enumerate(zip(values, values[1:])):
         rows += zip(time*(i + s), map(tuple, (1 - part)*a + part*b))
@@ -72,6 +77,17 @@ def slowly(time, *values):
 
 def coulomb(coefficient):
     return {"type": "Coulomb", "frictionCoeff": coefficient}
+
+
+def friction(coefficient):
+    """Coulomb's law, or none."""
+    return coulomb(coefficient) if coefficient else "frictionless"
+
+
+def polar(X):
+    """Points whose x is a radius and whose y is an angle."""
+    r, angle = X[:, 0], X[:, 1]
+    return np.stack((r*np.cos(angle), r*np.sin(angle), X[:, 2]), axis=1)
 
 
 @dataclass
@@ -103,15 +119,20 @@ class Body:
         corners = np.vstack((corners, corners + (0, 0, 1)))
         points = np.array(self.start) + corners*np.array(self.size)
         cells = (*self.cells, 1, 1)[:3]
-        boundary = []
-        for side, (direction, face) in SIDES.items():
-            kind = self.condition(side)["type"]
-            kind = kind if kind in ("empty", "symmetryPlane") else "patch"
-            boundary += [side, {"type": kind, "faces": f"(({face}))"}]
         return {"vertices": points, "edges": self.edges,
                 "blocks": ("hex", tuple(range(8)), cells,
                            "simpleGrading (1 1 1)"),
-                "boundary": boundary}
+                "boundary": self.boundary({
+                    side: f"(({face}))" for side, (_, face) in SIDES.items()})}
+
+    def boundary(self, faces):
+        """Of blockMesh, from the faces of each side."""
+        entries = []
+        for side, those in faces.items():
+            kind = self.condition(side)["type"]
+            kind = kind if kind in ("empty", "symmetryPlane") else "patch"
+            entries += [side, {"type": kind, "faces": those}]
+        return entries
 
     def makeMesh(self, case):
         case.dictionary(f"system/{self.name}/blockMeshDict", self.mesh())

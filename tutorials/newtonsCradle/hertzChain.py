@@ -4,7 +4,6 @@ a run. Between neighbours acts the force of Hertz, K d^(3/2) at the approach d
 of first order in the radius of the contact over that of the sphere."""
 
 from math import pi, sqrt
-from pathlib import Path
 
 import numpy as np
 
@@ -46,18 +45,19 @@ def compliances(a=0.1*RADIUS, terms=20000):
     return own/unit, opposite/unit
 
 
-def chain(end, gap=GAP, finite=False, steps=4000):
+def chain(end, gap=GAP, finite=False, spheres=SPHERES, speed=SPEED,
+          a=0.1*RADIUS, steps=4000):
     """Times, velocities of the spheres / that of the first at the start, and
     forces of the contacts.
 
-    finite      spheres are no half spaces: with compliances()
+    finite      spheres are no half spaces: with compliances(a)
     """
-    own, opposite = compliances() if finite else (0, 0)
+    own, opposite = compliances(a) if finite else (0, 0)
     dt = end/steps
-    x, v = np.zeros((2, SPHERES))
-    v[0] = SPEED
+    x, v = np.zeros((2, spheres))
+    v[0] = speed
     # Of the contacts, between zeros
-    F = np.zeros(SPHERES + 1)
+    F = np.zeros(spheres + 1)
 
     def solve():
         """Forces for displacements, from those of the step before."""
@@ -78,7 +78,7 @@ def chain(end, gap=GAP, finite=False, steps=4000):
         v = v - dt/2*np.diff(F)/MASS
         velocities.append(v)
         forces.append(F[1:-1].copy())
-    return (np.linspace(0, end, steps + 1), np.array(velocities)/SPEED,
+    return (np.linspace(0, end, steps + 1), np.array(velocities)/speed,
             np.array(forces))
 
 
@@ -93,11 +93,10 @@ def velocities(case):
 def contactForces(case):
     """{i: (times, forces)} of the contacts between the spheres i and i + 1, of
     a run; the model is a quarter."""
-    file, = Path(case).glob("postProcessing/contactForces/*/all.dat")
-    rows = [line.split() for line in file.read_text().splitlines()]
-    x = rows[0].index("minus:Fx[N]") - 1        # less the "#"
-    found = {}
-    for row in rows[1:]:
-        i = min(int(side[len("sphere")]) for side in row[1:3])
-        found.setdefault(i, []).append((float(row[0]), 4*abs(float(row[x]))))
-    return {i: np.array(data).T for i, data in sorted(found.items())}
+    data = readResults.table(case, "contactForces", "all.dat")
+    first = np.minimum(*(
+        [int(side.split(".")[0][len("sphere"):]) for side in data[name]]
+        for name in ("minus", "plus")))
+    force = 4*np.abs(data["minus:Fx"])
+    return {int(i): (data["Time"][first == i], force[first == i])
+            for i in np.unique(first)}

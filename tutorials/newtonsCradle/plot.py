@@ -44,9 +44,18 @@ def label(case):
     return f"{MESHES.get(n, f'{n} elements')}, gaps of {gap:g} mm"
 
 
+def finish(file, figure, ax, ylabel):
+    ax.set(xlabel=f"time [{TIME_UNIT[0]}]", ylabel=ylabel)
+    ax.grid(color="0.9")
+    ax.margins(x=0)
+    figure.legend(ncols=3, loc="outside upper center")
+    figure.savefig(file, dpi=drawHistories.DPI)
+    plt.close(figure)
+
+
 def plotHistories(velocityFile, forceFile, runs):
     """Of all runs with the gap of the last one, and the chains with it."""
-    unit, value = TIME_UNIT
+    value = TIME_UNIT[1]
     gap = settings(runs[-1].folder)[1]
     runs = [run for run in runs if settings(run.folder)[1] == gap]
     end = hertzChain.velocities(runs[-1].folder)[0][-1]
@@ -65,13 +74,7 @@ def plotHistories(velocityFile, forceFile, runs):
     for i, v in enumerate(last.T):
         ax.annotate(f"{i + 1}", (times[-1]/value, v[-1]), xytext=(4, 0),
                     textcoords="offset points", va="center", fontsize=8)
-    ax.set(xlabel=f"time [{unit}]",
-           ylabel="velocity / first sphere's at the start")
-    ax.grid(color="0.9")
-    ax.margins(x=0)
-    figure.legend(ncols=3, loc="outside upper center")
-    figure.savefig(velocityFile, dpi=drawHistories.DPI)
-    plt.close(figure)
+    finish(velocityFile, figure, ax, "velocity / first sphere's at the start")
 
     figure, ax = plt.subplots(figsize=(9, 5), layout="constrained")
     for times, _, F, c in chains:
@@ -81,13 +84,7 @@ def plotHistories(velocityFile, forceFile, runs):
         for i, (t, F) in hertzChain.contactForces(run.folder).items():
             ax.plot(t/value, F, **run.style,
                     label=run.label if i == 1 else "_")
-    ax.set(xlabel=f"time [{unit}]",
-           ylabel="force between neighbours [N]")
-    ax.grid(color="0.9")
-    ax.margins(x=0)
-    figure.legend(ncols=3, loc="outside upper center")
-    figure.savefig(forceFile, dpi=drawHistories.DPI)
-    plt.close(figure)
+    finish(forceFile, figure, ax, "force between neighbours [N]")
 
 
 def plotEnergies(file, run):

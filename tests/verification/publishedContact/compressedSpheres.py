@@ -21,8 +21,8 @@ import numpy as np
 import readResults
 from drawHistories import plt
 
-from caseTools import DEFAULT
-from smallCases import Body, SmallCase, condition, coulomb
+from caseTools import DEFAULT, meansAround
+from smallCases import Body, SmallCase, condition, friction, interface
 
 FILE = Path(__file__).with_suffix(".csv")
 HEIGHT = 14e-3
@@ -64,18 +64,12 @@ class Shell(Body):
                        "simpleGrading (1 1 1)"]
             faces["inside"].append(layers[0])
             faces["outside"].append(layers[1])
-            for direction, ends in (a, (at(0, 0, 0), at(0, 1, 0), at(0, 1, 1),
-                                        at(0, 0, 1))), \
-                    (b, (at(0, 0, 0), at(1, 0, 0), at(1, 0, 1), at(0, 0, 1))):
-                faces[list(PATCHES)[direction]].append(ends)
-        boundary = []
-        for patch, sides in faces.items():
-            kind = self.condition(patch)["type"]
-            kind = kind if kind == "symmetryPlane" else "patch"
-            boundary += [patch, {"type": kind, "faces": tuple(sides)}]
+            for direction, (i, j) in (a, (0, 1)), (b, (1, 0)):
+                faces[list(PATCHES)[direction]].append(
+                    (at(0, 0, 0), at(i, j, 0), at(i, j, 1), at(0, 0, 1)))
         return {"vertices": [r*np.array(c) for r in self.size
                              for c in corners],
-                "blocks": blocks, "boundary": boundary}
+                "blocks": blocks, "boundary": self.boundary(faces)}
 
     @property
     def dimensions(self):
@@ -107,11 +101,9 @@ def plane(body, side, z, normal, **more):
         {"point": (0, 0, z), "normal": (0, 0, normal)}}, **more}
 
 
-def write(folder, friction, duration=DURATION, n=6, across=2):
+def write(folder, k, duration=DURATION, n=6, across=2):
     """The case, not yet run: cells over an edge of a block of the inner
     sphere, and through the thickness of each."""
-    law = coulomb(float(friction)) if float(friction) else {
-        "type": "frictionless"}
     down = {"solidBodyMotionFunction": "linearMotion", "linearMotionCoeffs":
             {"velocity": (0, 0, -WAY/duration)}}
     return SmallCase(
@@ -119,8 +111,8 @@ def write(folder, friction, duration=DURATION, n=6, across=2):
         [shell("inner", (10e-3, 12e-3), n, across),
          shell("outer", (12e-3, 14e-3), round(7*n/6), across)],
         duration,
-        {"between": {"sides": (("inner", "outside"), ("outer", "inside")),
-                     "pairing": "nearestFace", "law": law},
+        {"between": interface(("inner", "outside"), ("outer", "inside"),
+                              friction(float(k)), pairing="nearestFace"),
          "floor": plane("inner", "inside", 0, 1),
          "roof": plane("outer", "outside", HEIGHT, -1, motion=down)},
         preset=DEFAULT, functions=("contactForces",),
@@ -142,9 +134,8 @@ def history(case, duration=DURATION):
 def forces(case, duration=DURATION, way=0.1):
     """Displacements of theirs(), means of the force so many mm before and
     behind."""
-    x, F = history(case, duration)
     places = theirs()["displacement"]
-    return places, np.array([F[np.abs(x - at) < way].mean() for at in places])
+    return places, meansAround(*history(case, duration), places, way)
 
 
 def plot(file, cases, duration):

@@ -18,8 +18,9 @@ import numpy as np
 import readResults
 from drawHistories import plt
 
-from caseTools import DEFAULT
-from smallCases import Body, SmallCase, condition, coulomb, table
+from caseTools import DEFAULT, meansAround
+from smallCases import (Body, SmallCase, condition, friction, interface, polar,
+                        table)
 
 FILE = Path(__file__).with_suffix(".csv")
 FRICTION = "0", "0.3", "0.6"
@@ -35,14 +36,10 @@ STEEL = {"type": "HenckyVonMises", "rho": 7800, "E": 689.5564786e6,
 
 def ring(name, inner, angle, centre, ends, outside, across):
     """Half a ring that begins at an angle, 2 mm thick, 1 m wide; mm."""
-    def bend(X):
-        r, angles = X[:, 0], X[:, 1]
-        return np.stack((r*np.cos(angles) + 1e-3*centre[0],
-                         r*np.sin(angles) + 1e-3*centre[1], X[:, 2]), axis=1)
-
     return Body(
         (across, 10*across), name=name, start=(1e-3*inner, angle, 0),
-        size=(2e-3, np.pi, 1), moved=bend, material=dict(STEEL),
+        size=(2e-3, np.pi, 1), material=dict(STEEL),
+        moved=lambda X: polar(X) + 1e-3*np.array((*centre, 0)),
         sides={"bottom": ends, "top": ends, outside: "contact"})
 
 
@@ -54,10 +51,8 @@ def motion(duration=DURATION):
         (0.9*duration, (V, 0, 0)), (duration, (0, 0, 0))))
 
 
-def write(folder, friction, duration=DURATION, across=5):
+def write(folder, k, duration=DURATION, across=5):
     """The case, not yet run: cells through the thickness."""
-    law = coulomb(float(friction)) if float(friction) else {
-        "type": "frictionless"}
     return SmallCase(
         folder,
         [ring("lower", 10, 0, (LOWER, 0),
@@ -66,8 +61,8 @@ def write(folder, friction, duration=DURATION, across=5):
          ring("upper", 8, np.pi, (UPPER, 17), motion(duration), "right",
               across)],
         duration,
-        {"between": {"sides": (("upper", "right"), ("lower", "right")),
-                     "pairing": "nearestFace", "law": law}},
+        {"between": interface(("upper", "right"), ("lower", "right"),
+                              friction(float(k)), pairing="nearestFace")},
         preset=DEFAULT, functions=("contactForces",),
         probes={"driven": ("upper", (1e-3*(UPPER - 9), 17e-3, 0))},
         control={"writeInterval": duration/10, "maxCo": 0.9})
@@ -89,28 +84,20 @@ def history(case):
 def reactions(case, way=0.3):
     """Displacements of theirs(), means of the reactions so many mm before and
     behind."""
-    x, F = history(case)
     places = theirs()["displacement"]
-    return places, np.array(
-        [F[:, np.abs(x - at) < way].mean(axis=1) for at in places]).T
+    return places, meansAround(*history(case), places, way)
 
 
-def smoothed(x, F, way=0.3):
-    """Means so many mm before and behind."""
-    at = np.arange(way, 1e3*WAY - way, way)
-    return at, np.array(
-        [F[:, np.abs(x - place) < way].mean(axis=1) for place in at]).T
-
-
-def plot(file, cases):
+def plot(file, cases, way=0.3):
     """Reactions of {k: case} over the published ones: as they are (pale), and
-    their means."""
+    their means so many mm before and behind."""
     figure, axes = plt.subplots(1, 2, figsize=(11, 4.5), sharex=True,
                                 layout="constrained")
     data = theirs()
+    places = np.arange(way, 1e3*WAY - way, way)
     for (k, case), colour in zip(cases.items(), ("C0", "C1", "C2")):
         x, F = history(case)
-        places, means = smoothed(x, F)
+        means = meansAround(x, F, places, way)
         for ax, values, mean, c in zip(axes, F, means, "xy"):
             ax.plot(x, values, color=colour, linewidth=0.3, alpha=0.2)
             ax.plot(places, mean, color=colour, linewidth=1.5,

@@ -191,6 +191,7 @@ Foam::scalar Foam::bodyInterface::range
 bool Foam::bodyInterface::apart
 (
     const contactOverlap& over,
+    const cornerStates& M,
     const vector& n,
     const scalar gap,
     const scalar closing,
@@ -201,7 +202,6 @@ bool Foam::bodyInterface::apart
 
     const FixedList<label, 4>& minus = over.minus.corner;
     const FixedList<label, 4>& plus = over.plus.corner;
-    const cornerStates& M = minus_.body->corners(minus_.patchi);
     const auto received = [&](const label j, const label i)
     {
         const cornerMessage& c = sent_[plus[j]];
@@ -245,6 +245,8 @@ void Foam::bodyInterface::solveForces(const bool firstStage)
     const scalar deltaT = body.contactStep();
     const bool bonded = law().bonded();
     const bool sticks = law().sticks();
+    const scalar minusRho = body.material().rho();
+    const scalar plusRho = plus_.body->material().rho();
 
     for (const label k : minusCorners_)
     {
@@ -278,8 +280,8 @@ void Foam::bodyInterface::solveForces(const bool firstStage)
         const scalar distance = between & n;
         const contactLayer layer
         (
-            layerSide(body, over.minus(depth)),
-            layerSide(*plus_.body, plusDepth)
+            contactLayer::side{over.minus(depth), minusRho},
+            contactLayer::side{plusDepth, plusRho}
         );
         if
         (
@@ -288,7 +290,7 @@ void Foam::bodyInterface::solveForces(const bool firstStage)
                 !opposed
              || apart
                 (
-                    over, n, distance, (over.minus(M.v) - v) & n,
+                    over, M, n, distance, (over.minus(M.v) - v) & n,
                     layer.closingTime(M.zp, P.zp, deltaT)
                 )
             )
