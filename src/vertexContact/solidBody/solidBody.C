@@ -756,6 +756,11 @@ Foam::scalar Foam::solidBody::timeScale()
       : GREAT;
     if (data_.variational)
     {
+        variational_->sumWaves(data_, *x_);
+        dual_.sharing().sum
+        (
+            x_->waves.data(), variationalLayout::strideWaves(dual_.nDim())
+        );
         shortest = min(shortest, variational_->timeScale(data_, *x_));
     }
     else

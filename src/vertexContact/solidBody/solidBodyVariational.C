@@ -144,7 +144,7 @@ void Foam::solidBody::deform()
     variationalData& x = *x_;
     const label d = dual_.nDim();
     const label sA = variationalLayout::strideColumn(d);
-    const label sC = variationalLayout::strideC(d);
+    const label sC = variationalLayout::strideC(d, x.beta > 0);
     const label sS = variationalLayout::strideSensor;
 
     typedef passTimes times;
@@ -160,14 +160,14 @@ void Foam::solidBody::deform()
     nBad_ += times::timed(times::inverses, [&]
     {
         completeTensors(x.grad.data(), d*sA, sA, 0);
-        completeTensors(x.grad.data(), d*sA, sA, d);
+        completeTensors(x.grad.data(), d*sA, sA, variationalLayout::second(d));
         return variational_->deform(x, data_);
     });
 
-    times::timed(times::corrections, [&] { variational_->correct(x, data_); });
+    times::timed(times::corrections, [&] { variational_->correct(data_, x); });
     times::timed(times::processors, [&]
     {
-        if (x.beta > 0)
+        if (sC)
         {
             dual_.sharing().sum
             (
@@ -182,6 +182,14 @@ void Foam::solidBody::deform()
     nBad_ += times::timed(times::kinematics, [&]
     {
         if (x.beta > 0) completeTensors(x.correction.data(), d*sC, sC, 0);
+        if (d > 1)
+        {
+            completeTensors
+            (
+                x.correction.data(), d*sC, sC,
+                variationalLayout::atJump(d, x.beta > 0)
+            );
+        }
         return variational_->kinematics(data_, x);
     });
 
@@ -304,7 +312,10 @@ void Foam::solidBody::computeForces(const bool energy)
     times::timed(times::adjoint, [&]
     {
         completeTensors(x.adjoint.data(), d*sA, sA, 0);
-        completeTensors(x.adjoint.data(), d*sA, sA, d);
+        completeTensors
+        (
+            x.adjoint.data(), d*sA, sA, variationalLayout::second(d)
+        );
         variational_->stresses(x, data_);
     });
     times::timed(times::forces, [&] { variational_->forces(data_, x); });
@@ -348,7 +359,7 @@ void Foam::solidBody::findAcceleration(const scalar step)
 
     // What contact or a boundary holds is not moved by the dissipation
     scalar* damping =
-        data_.rates.data() + variationalLayout::atDissipation(d);
+        data_.rates.data() + variationalLayout::second(d);
     const label stride = data_.strideRates;
     if (symmetry_.active()) symmetry_.project(damping, stride);
     const auto isHeld = [&](const label a)
@@ -538,7 +549,7 @@ Foam::solidBody::powers Foam::solidBody::powersOf
     withDirections(dual_.nDim(), [&](auto D)
     {
         constexpr int d = D.value;
-        constexpr int atDamping = variationalLayout::atDissipation(d);
+        constexpr int atDamping = variationalLayout::second(d);
         const scalar* v = velocity.cdata();
         const scalar* external = externalForce_.cdata();
         const scalar* contact = contactForce_.cdata();

@@ -8,6 +8,21 @@
 #include "ListOps.H"
 #include <cmath>
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Scalars for n of each edge, in whole blocks
+Foam::label inBlocks(const Foam::vertexData& d, const Foam::label n)
+{
+    return
+        n*Foam::nLanes*((d.dual.nEdges() + Foam::nLanes - 1)/Foam::nLanes);
+}
+
+} // End anonymous namespace
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::variationalData::variationalData
@@ -21,14 +36,16 @@ Foam::variationalData::variationalData
     beta(beta),
     epsilon(epsilon),
     smoothed(smoothed),
-    area(nLanes*d.nDim()*((d.dual.nEdges() + nLanes - 1)/nLanes)),
+    area(inBlocks(d, d.nDim())),
+    reach(inBlocks(d, d.nDim())),
+    motion(inBlocks(d, variationalLayout::motionOf(d.nDim()))),
     U(d.nNodes()*variationalLayout::strideU(d.nDim())),
+    rush(d.nNodes()*variationalLayout::strideRush(d.nDim())),
     grad(d.nNodes()*d.nDim()*variationalLayout::strideColumn(d.nDim())),
     inverse(d.finiteStrain ? d.nNodes()*d.nDim()*d.nDim() : 0, Zero),
     correction
     (
-        beta > 0
-      ? d.nNodes()*d.nDim()*variationalLayout::strideC(d.nDim()) : label(0)
+        d.nNodes()*d.nDim()*variationalLayout::strideC(d.nDim(), beta > 0)
     ),
     sensor(d.nNodes()*variationalLayout::strideSensor),
     perEdges(d.nNodes(), Zero),
@@ -37,6 +54,7 @@ Foam::variationalData::variationalData
     oldAcceleration(acceleration),
     jumpStiffness(d.dual.nEdges()),
     adjoint(d.nNodes()*d.nDim()*variationalLayout::strideColumn(d.nDim())),
+    waves(d.nNodes()*variationalLayout::strideWaves(d.nDim())),
     smoothing(smoothed ? d.dual.nEdges() : 0, Zero),
     jacobian(smoothed ? d.nNodes() : 0, scalar(1)),
     average(smoothed ? d.nNodes() : 0, scalar(1)),
@@ -50,30 +68,24 @@ Foam::variationalData::variationalData
         for (label j = 0; j < nDim; ++j)
         {
             const scalar C = d.edgeArea()[e*nDim + j];
+            const label a = d.dual.edgeNodes()[2*e];
+            const label b = d.dual.edgeNodes()[2*e + 1];
+            const scalar r =
+                d.dual.nodePosition()[b*nDim + j]
+              - d.dual.nodePosition()[a*nDim + j];
             area[(e - lane)*nDim + j*nLanes + lane] = C;
-            if (smoothed)
-            {
-                const label a = d.dual.edgeNodes()[2*e];
-                const label b = d.dual.edgeNodes()[2*e + 1];
-                smoothing[e] +=
-                    0.5/(nDim + 1)*C
-                   *(
-                        d.dual.nodePosition()[b*nDim + j]
-                      - d.dual.nodePosition()[a*nDim + j]
-                    );
-            }
+            reach[(e - lane)*nDim + j*nLanes + lane] = r;
+            if (smoothed) smoothing[e] += 0.5/(nDim + 1)*C*r;
         }
     }
-
-    // Where edges are, which does not change
-    const label stride = variationalLayout::strideU(nDim);
+    // Places behind the last edge have no area, but a length
+    for (label e = d.dual.nEdges(); e % nLanes; ++e)
+    {
+        reach[(e - e % nLanes)*nDim + e % nLanes] = 1;
+    }
     for (label a = 0; a < d.nNodes(); ++a)
     {
         perV[a] = 1/d.dual.nodeVolume()[a];
-        for (label j = 0; j < nDim; ++j)
-        {
-            U[a*stride + 2*nDim + j] = d.dual.nodePosition()[a*nDim + j];
-        }
     }
 }
 
@@ -169,7 +181,8 @@ std::size_t Foam::variationalData::bytes() const
       + sizeof(scalar)
        *std::size_t
         (
-            pairArea.size() + U.size() + grad.size() + inverse.size()
+            pairArea.size() + reach.size() + motion.size() + rush.size()
+          + waves.size() + U.size() + grad.size() + inverse.size()
           + area.size() + correction.size() + sensor.size() + perEdges.size()
           + perV.size() + smoothing.size()
           + 2*acceleration.size() + jumpStiffness.size()

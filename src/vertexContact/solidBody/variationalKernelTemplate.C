@@ -6,6 +6,8 @@
 
 #include "variationalKernelTemplate.H"
 #include "variationalKernelEdges.C"
+#include "variationalCorrections.C"
+#include "variationalFluxes.C"
 #include "cornerStates.H"
 #include "vertexKernel.H"
 #include <cmath>
@@ -80,8 +82,12 @@ label variationalKernelTemplate<D, finite>::collect
             const scalar v = perRho*lm[a*D + i];
             nBad += !(mag(v) < VGREAT);
             U[a*sU + i] = disp[a*D + i];
-            U[a*sU + D + i] = v;
-            if constexpr (D > 1) U[a*sU + 3*D + i] = rush[a*D + i];
+            U[a*sU + second + i] = v;
+            if constexpr (D == 2) U[a*sU + 2*D + i] = rush[a*D + i];
+            if constexpr (D == 3)
+            {
+                x.rush[a*variationalLayout::strideRush(D) + i] = rush[a*D + i];
+            }
             W[a*d.strideW + i] = v;
         }
     }
@@ -130,14 +136,17 @@ label variationalKernelTemplate<D, finite>::deform
                 scalar sum = 0;
                 for (int k = 0; k < D; ++k)
                 {
-                    sum += g[k*sA + D + i]*inverse[k*D + j];
+                    sum += g[k*sA + second + i]*inverse[k*D + j];
                 }
                 L[i*D + j] = sum;
             }
         }
         for (int i = 0; i < D; ++i)
         {
-            for (int j = 0; j < D; ++j) g[j*sA + D + i] = L[i*D + j];
+            for (int j = 0; j < D; ++j)
+            {
+                g[j*sA + second + i] = L[i*D + j];
+            }
         }
     }
     return nBad;
@@ -158,7 +167,8 @@ label variationalKernelTemplate<D, finite>::kinematics
         const scalar perV = x.perV[a];
         for (int k = 0; k < 3; ++k) x.sensor[a*sS + k] *= x.perEdges[a];
         const scalar* g = x.grad.cdata() + a*D*sA;
-        const scalar* c = x.correction.cdata() + a*sT;
+        constexpr int sC = variationalLayout::strideC(D, true);
+        const scalar* c = x.correction.cdata() + a*D*sC;
         for (int i = 0; i < D; ++i)
         {
             for (int j = 0; j < D; ++j)
@@ -261,34 +271,36 @@ void variationalKernelTemplate<D, finite>::stresses
 ) const
 {
     const scalar* P = d.W.cdata() + d.offsetP();
+    const index sC = variationalLayout::strideC(D, x.beta > 0);
+    const index atJump = variationalLayout::atJump(D, x.beta > 0);
     for (index a = 0; a < d.nNodes(); ++a)
     {
         const scalar perV = x.perV[a];
         scalar* T = x.adjoint.data() + a*D*sA;
-        scalar Z[D][D];
-        for (int j = 0; j < D; ++j)
+        const scalar* jump = x.correction.cdata() + a*D*sC + atJump;
+        for (int j = 0; D > 1 && j < D; ++j)
         {
-            for (int i = 0; i < D; ++i) Z[i][j] = perV*T[j*sA + D + i];
+            for (int i = 0; i < D; ++i) T[j*sA + i] += jump[j*sC + i];
         }
-        if constexpr (finite)
+        scalar Z[D][D];
+        for (int i = 0; i < D; ++i)
         {
-            // Z (G x)^-T
-            const scalar* inverse = x.inverse.cdata() + a*nP;
-            scalar old[D][D];
-            for (int i = 0; i < D; ++i)
+            for (int j = 0; j < D; ++j)
             {
-                for (int j = 0; j < D; ++j) old[i][j] = Z[i][j];
-            }
-            for (int i = 0; i < D; ++i)
-            {
-                for (int j = 0; j < D; ++j)
+                if constexpr (finite)
                 {
+                    // Z (G x)^-T
+                    const scalar* inverse = x.inverse.cdata() + a*nP;
                     scalar sum = 0;
                     for (int k = 0; k < D; ++k)
                     {
-                        sum += old[i][k]*inverse[j*D + k];
+                        sum += T[k*sA + second + i]*inverse[j*D + k];
                     }
                     Z[i][j] = sum;
+                }
+                else
+                {
+                    Z[i][j] = T[j*sA + second + i];
                 }
             }
         }
@@ -296,9 +308,8 @@ void variationalKernelTemplate<D, finite>::stresses
         {
             for (int i = 0; i < D; ++i)
             {
-                T[j*sA + i] =
-                    P[a*d.strideW + j*D + i] + perV*T[j*sA + i] + Z[i][j];
-                T[j*sA + D + i] = Z[i][j];
+                T[j*sA + i] = P[a*d.strideW + j*D + i] + perV*T[j*sA + i];
+                T[j*sA + second + i] = perV*Z[i][j];
             }
         }
     }
@@ -443,12 +454,12 @@ lanes variationalKernelTemplate<D, finite>::timeScales
     };
     lanes K[nK], F[nP], waves[nK];
     const scalar* bound = x.geometricBound.cdata();
-    const scalar* w = d.rates.cdata() + variationalLayout::atWaves(D);
+    const scalar* w = x.waves.cdata();
     const scalar* f = d.state.F.cdata();
     for (int k = 0; k < nK; ++k)
     {
         K[k] = lanesByOne([&](const int l) { return bound[node(l)*nK + k]; });
-        waves[k] = lanesByOne([&](const int l) { return w[node(l)*sR + k]; });
+        waves[k] = lanesByOne([&](const int l) { return w[node(l)*sK + k]; });
     }
     for (int k = 0; k < nP; ++k)
     {

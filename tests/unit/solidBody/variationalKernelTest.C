@@ -79,7 +79,7 @@ struct scheme
         kernel->collect(d, x);
         kernel->gradients(x, d);
         kernel->deform(x, d);
-        kernel->correct(x, d);
+        kernel->correct(d, x);
         kernel->kinematics(d, x);
     }
 
@@ -102,7 +102,7 @@ struct scheme
     {
         return d.rates
         [
-            (k/nDim)*d.strideRates + variationalLayout::atDissipation(nDim)
+            (k/nDim)*d.strideRates + variationalLayout::second(nDim)
           + k % nDim
         ];
     }

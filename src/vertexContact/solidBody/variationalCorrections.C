@@ -1,0 +1,384 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+-------------------------------------------------------------------------------
+Description
+    The pass over the edges that looks at the motion: corrections of the
+    gradient, jumps of the positions with their forces, jumps of the velocities,
+    which the pass of the fluxes takes up, and the squares of the sensor.
+
+    In three dimensions what is of first degree is computed row by row, edge by
+    edge, and only what is not in lanes: transposing is what costs.
+
+\*---------------------------------------------------------------------------*/
+
+#include "variationalKernelTemplate.H"
+#include "edgeBlocks.H"
+#include "edgeRows.H"
+#include "variationalEdge.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- The lanes of component k of a block of edges
+inline const lanes& laneAt(const scalar* block, const int k)
+{
+    return reinterpret_cast<const lanes&>(block[k*nLanes]);
+}
+
+inline lanes& laneAt(scalar* block, const int k)
+{
+    return reinterpret_cast<lanes&>(block[k*nLanes]);
+}
+
+
+//- Keep what the fluxes need of the motion of a block of edges
+template<int D>
+inline void store(scalar* block, const edgeMotion<D, lanes>& m)
+{
+    for (int i = 0; i < D; ++i)
+    {
+        laneAt(block, i) = m.jump[i];
+        laneAt(block, D + i) = m.dx[i];
+    }
+    laneAt(block, 2*D) = m.stretching;
+    laneAt(block, 2*D + 1) = m.perLength2;
+}
+
+
+template<int D>
+inline edgeMotion<D, lanes> motionAt(const scalar* block)
+{
+    edgeMotion<D, lanes> m;
+    for (int i = 0; i < D; ++i)
+    {
+        m.jump[i] = laneAt(block, i);
+        m.dx[i] = laneAt(block, D + i);
+    }
+    m.stretching = laneAt(block, 2*D);
+    m.perLength2 = laneAt(block, 2*D + 1);
+    return m;
+}
+
+
+template<int D, bool finite>
+template<bool corrects>
+void variationalKernelTemplate<D, finite>::correctLoop
+(
+    vertexData& d,
+    variationalData& x
+)
+{
+    constexpr int sC = variationalLayout::strideC(D, corrects);
+    constexpr int sT = D*sC;
+    const scalar* U = x.U.cdata();
+    const scalar* grad = x.grad.cdata();
+    const scalar half = 0.5*x.beta;
+    scalar* correction = x.correction.data();
+    scalar* sensor = x.sensor.data();
+    scalar* rates = d.rates.data();
+    lanes closing{};
+
+    // In 3D: sums of the first node, in registers as long as it is the same
+    struct
+    {
+        index node = -1;
+        alignas(registerBytes) row<sC == 8 ? 8 : 4> columns[D] = {};
+        row<4> force{}, squares{};
+    } first;
+    const auto keep = [&]()
+    {
+        if constexpr (D == 3)
+        {
+            if (first.node < 0) return;
+            #pragma GCC unroll 3
+            for (int j = 0; j < D; ++j)
+            {
+                rowAt<sC>(correction + first.node*sT + j*sC) =
+                    first.columns[j];
+            }
+            rowAt<4>(rates + first.node*sR) = first.force;
+            rowAt<4>(sensor + first.node*sS) = first.squares;
+        }
+    };
+
+    edgeBlocks block(d.dual);
+    const auto begin = [&](const index a)
+    {
+        zeroAt<sT>(correction + a*sT);
+        zeroAt<sS>(sensor + a*sS);
+        zeroAt<sR>(rates + a*sR);
+    };
+    for (; block.valid(); ++block)
+    {
+        block.ahead([&](const index a)
+        {
+            prefetch<sU>(U + a*sU);
+            prefetch<sA*D>(grad + a*D*sA);
+            begin(a);
+        });
+        const label* ends = block.nodes();
+        const index e = block.first();
+        const scalar* C = x.area.cdata() + e*D;
+        const scalar* r = x.reach.cdata() + e*D;
+        const scalar* k = x.jumpStiffness.cdata() + e;
+        scalar* motion = x.motion.data() + e*nM;
+
+        lanes dx[D], dv[D], change[D], acceleration[D];
+        const auto setEdge = [&](const lanes* U)
+        {
+            for (int i = 0; i < D; ++i)
+            {
+                dx[i] = finite ? laneAt(r, i) + U[i] : laneAt(r, i);
+                dv[i] = U[second + i];
+            }
+        };
+        const auto squaresOf = [&](const edgeMotion<D, lanes>& m)
+        {
+            closing = max(closing, m.closing);
+            lanes hastening{};
+            if constexpr (D > 1)
+            {
+                for (int i = 0; i < D; ++i) hastening += acceleration[i]*dx[i];
+            }
+            return hastening*hastening;
+        };
+
+        if constexpr (D == 3)
+        {
+            const scalar* rush = x.rush.cdata();
+            alignas(registerBytes) row<8> differences[nLanes];
+            alignas(registerBytes) row<8> sums[nLanes];
+            alignas(registerBytes) row<4> force[nLanes];
+            lanes of[8];
+            lanesOf(of, [&](const int l)
+            {
+                const index a = ends[2*l], b = ends[2*l + 1];
+                return
+                    differences[l] = rowAt<8>(U + b*sU) - rowAt<8>(U + a*sU);
+            });
+            setEdge(of);
+            for (int i = 0; finite && i < D; ++i)
+            {
+                laneAt(motion, D + i) = dx[i];
+            }
+
+            // G r of the displacement, L dx of the velocity: from both nodes;
+            // the acceleration besides
+            const scalar* byV = finite ? motion + D*nLanes : r;
+            lanesOf(of, [&](const int l)
+            {
+                const index a = ends[2*l], b = ends[2*l + 1];
+                row<8> ofA{}, ofB{};
+                #pragma GCC unroll 3
+                for (int j = 0; j < D; ++j)
+                {
+                    const row<8> by =
+                        halves(r[j*nLanes + l], byV[j*nLanes + l]);
+                    ofA += by*rowAt<8>(grad + (a*D + j)*sA);
+                    ofB += by*rowAt<8>(grad + (b*D + j)*sA);
+                }
+                const row<8> sum = ofA + ofB;
+                force[l] =
+                    k[l]*threeOf(lower(differences[l]) - 0.5*lower(sum));
+                if constexpr (corrects)
+                {
+                    sums[l] =
+                        joined(half*(lower(ofA) - lower(ofB)), -0.5*force[l]);
+                }
+                return spliced
+                (
+                    rowAt<4>(rush + b*4) - rowAt<4>(rush + a*4), sum
+                );
+            });
+            for (int i = 0; i < D; ++i)
+            {
+                acceleration[i] = of[i];
+                change[i] = 0.5*of[second + i];
+            }
+            const edgeMotion<D, lanes> m(dx, dv, change);
+            store(motion, m);
+            alignas(registerBytes) row<4> squares[nLanes];
+            fourRowsOf(squares, {m.jj, m.mm, squaresOf(m), lanes{}});
+
+            for (int l = 0; l < block.size(); ++l)
+            {
+                const index a = ends[2*l], b = ends[2*l + 1];
+                scalar* Cb = correction + b*sT;
+                if (a != first.node)
+                {
+                    keep();
+                    first.node = a;
+                    #pragma GCC unroll 3
+                    for (int j = 0; j < D; ++j)
+                    {
+                        first.columns[j] =
+                            rowAt<sC>(correction + a*sT + j*sC);
+                    }
+                    first.force = rowAt<4>(rates + a*sR);
+                    first.squares = rowAt<4>(sensor + a*sS);
+                }
+                #pragma GCC unroll 3
+                for (int j = 0; j < D; ++j)
+                {
+                    const scalar rj = r[j*nLanes + l];
+                    if constexpr (corrects)
+                    {
+                        constexpr row<8> sign = {-1, -1, -1, -1, 1, 1, 1, 1};
+                        const row<8> by = halves(C[j*nLanes + l], rj);
+                        first.columns[j] += by*sums[l];
+                        rowAt<8>(Cb + j*sC) += by*(sign*sums[l]);
+                    }
+                    else
+                    {
+                        const row<4> f = force[l]*(-0.5*rj);
+                        first.columns[j] += f;
+                        rowAt<4>(Cb + j*sC) += f;
+                    }
+                }
+                first.force += force[l];
+                first.squares += squares[l];
+                rowAt<4>(rates + b*sR) -= force[l];
+                rowAt<4>(sensor + b*sS) += squares[l];
+            }
+        }
+        else if constexpr (D == 2)
+        {
+            lanes of[8], sum[8], difference[8];
+            lanesOf(of, [&](const int l)
+            {
+                const index a = ends[2*l], b = ends[2*l + 1];
+                return rowAt<8>(U + b*sU) - rowAt<8>(U + a*sU);
+            });
+            setEdge(of);
+            lanesOf(sum, [&](const int l)
+            {
+                const index a = ends[2*l], b = ends[2*l + 1];
+                return rowAt<8>(grad + a*D*sA) + rowAt<8>(grad + b*D*sA);
+            });
+            if constexpr (corrects)
+            {
+                lanesOf(difference, [&](const int l)
+                {
+                    const index a = ends[2*l], b = ends[2*l + 1];
+                    return rowAt<8>(grad + a*D*sA) - rowAt<8>(grad + b*D*sA);
+                });
+            }
+
+            // Corrections and adjoints of the jumps, column by column
+            lanes toNodes[8] = {}, force[D];
+            const lanes stiffness = rowAt<nLanes>(k);
+            for (int i = 0; i < D; ++i)
+            {
+                acceleration[i] = of[2*D + i];
+                change[i] = 0.5*(sum[D + i]*dx[0] + sum[sA + D + i]*dx[1]);
+                force[i] =
+                    stiffness
+                   *(
+                        of[i]
+                      - 0.5*(sum[i]*laneAt(r, 0) + sum[sA + i]*laneAt(r, 1))
+                    );
+                lanes more{};
+                if constexpr (corrects)
+                {
+                    more =
+                        half
+                       *(
+                            difference[i]*laneAt(r, 0)
+                          + difference[sA + i]*laneAt(r, 1)
+                        );
+                }
+                for (int j = 0; j < D; ++j)
+                {
+                    if constexpr (corrects)
+                    {
+                        toNodes[j*sC + i] = more*laneAt(C, j);
+                    }
+                    toNodes[j*sC + sC - D + i] = -0.5*force[i]*laneAt(r, j);
+                }
+            }
+            const edgeMotion<D, lanes> m(dx, dv, change);
+            store(motion, m);
+            alignas(registerBytes) row<4> squares[nLanes], forces[nLanes];
+            alignas(registerBytes) row<8> rows[nLanes];
+            fourRowsOf(squares, {m.jj, m.mm, squaresOf(m), lanes{}});
+            fourRowsOf(forces, {force[0], force[1], lanes{}, lanes{}});
+            rowsOf(rows, toNodes);
+            constexpr scalar s = corrects ? -1 : 1;
+            constexpr row<8> sign = {s, s, 1, 1, s, s, 1, 1};
+
+            for (int l = 0; l < block.size(); ++l)
+            {
+                const index a = ends[2*l], b = ends[2*l + 1];
+                const row<sT> f = firstOf<sT>(rows[l]);
+                rowAt<sT>(correction + a*sT) += f;
+                rowAt<sT>(correction + b*sT) += firstOf<sT>(sign)*f;
+                rowAt<4>(rates + a*sR) += forces[l];
+                rowAt<4>(rates + b*sR) -= forces[l];
+                rowAt<4>(sensor + a*sS) += squares[l];
+                rowAt<4>(sensor + b*sS) += squares[l];
+            }
+        }
+        else
+        {
+            // Differences of displacement and velocity; that of the first
+            // derivatives, the sum of the second
+            constexpr row<4> sign = {-1, 1, 0, 0};
+            lanes of[8];
+            lanesOf(of, [&](const int l)
+            {
+                const index a = ends[2*l], b = ends[2*l + 1];
+                return joined
+                (
+                    rowAt<4>(U + b*sU) - rowAt<4>(U + a*sU),
+                    rowAt<4>(grad + a*sA) + sign*rowAt<4>(grad + b*sA)
+                );
+            });
+            setEdge(of);
+            change[0] = 0.5*of[5]*dx[0];
+            const edgeMotion<D, lanes> m(dx, dv, change);
+            store(motion, m);
+            squaresOf(m);
+            const lanes more =
+                corrects ? half*of[4]*laneAt(r, 0)*laneAt(C, 0) : lanes{};
+            alignas(registerBytes) row<4> rows[nLanes];
+            fourRowsOf(rows, {m.jj, m.mm, more, lanes{}});
+            for (int l = 0; l < block.size(); ++l)
+            {
+                const index a = ends[2*l], b = ends[2*l + 1];
+                const scalar* f = reinterpret_cast<const scalar*>(&rows[l]);
+                rowAt<2>(sensor + a*sS) += rowAt<2>(f);
+                rowAt<2>(sensor + b*sS) += rowAt<2>(f);
+                if constexpr (corrects)
+                {
+                    correction[a] += f[2];
+                    correction[b] -= f[2];
+                }
+            }
+        }
+    }
+    keep();
+    block.rest(begin);
+
+    x.closing = 0;
+    for (int l = 0; l < nLanes; ++l) x.closing = max(x.closing, closing[l]);
+}
+
+
+template<int D, bool finite>
+void variationalKernelTemplate<D, finite>::correct
+(
+    vertexData& d,
+    variationalData& x
+) const
+{
+    x.beta > 0 ? correctLoop<true>(d, x) : correctLoop<false>(d, x);
+}
+
+} // End namespace Foam
+
+
+// ************************************************************************* //

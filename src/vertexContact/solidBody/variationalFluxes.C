@@ -1,0 +1,503 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+-------------------------------------------------------------------------------
+Description
+    The pass over the edges that needs stresses and sensor: adjoint of the
+    corrections, dissipation and its adjoint; and the pass that sums up waves
+    for the bound of the step.
+
+\*---------------------------------------------------------------------------*/
+
+#include "variationalKernelTemplate.H"
+#include "edgeBlocks.H"
+#include "edgeRows.H"
+#include "variationalEdge.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+namespace Foam
+{
+
+template<int D, bool finite>
+__attribute__((always_inline))
+inline row<4> variationalKernelTemplate<D, finite>::waveArea3
+(
+    const scalar* H,
+    const scalar* C,
+    const index a,
+    const index b
+)
+{
+    row<4> c{};
+    for (int j = 0; j < 3; ++j)
+    {
+        c +=
+            (0.5*C[j*nLanes])
+           *(rowAt<4>(H + a*nP + j*D) + rowAt<4>(H + b*nP + j*D));
+    }
+    return c;
+}
+
+
+template<int D, bool finite>
+template<bool corrects, bool volume>
+void variationalKernelTemplate<D, finite>::fluxLoop
+(
+    vertexData& d,
+    variationalData& x
+)
+{
+    const scalar* P = d.W.cdata() + d.offsetP();
+    const scalar* F = d.state.F.cdata();
+    const scalar* H = d.state.H.cdata();
+    const scalar* sensor = x.sensor.cdata();
+    const scalar* grad = x.grad.cdata();
+    scalar* rates = d.rates.data();
+    scalar* adjoint = x.adjoint.data();
+    const index sW = d.strideW;
+    const scalar halfBeta = 0.5*x.beta;
+    const scalar halfZp = 0.5*d.rho*d.cp;
+    const scalar halfZs = 0.5*d.rho*d.cs;
+    constexpr bool moves = finite && D > 1;
+
+    // Sums of S, M and N of both nodes; the smaller M, and minus the larger
+    // factor of waves
+    const auto squaresOf = [&](const index a, const index b)
+    {
+        const row<4> sa = rowAt<4>(sensor + a*sS);
+        const row<4> sb = rowAt<4>(sensor + b*sS);
+        const row<4> sum = sa + sb, least = sa < sb ? sa : sb;
+        return std::make_pair
+        (
+            row<4>{sum[0], sum[1], sum[2], least[1]}, least
+        );
+    };
+
+    // In 2D and 3D: sums of the first node, in registers as long as it is the
+    // same
+    constexpr int nX = D == 3 ? 3 : 1;
+    struct
+    {
+        index node = -1;
+        alignas(registerBytes) row<8> X[nX] = {};
+        row<4> rates{};
+    } first;
+    constexpr int atRates = D == 3 ? second : 0;
+    const auto keep = [&]()
+    {
+        if constexpr (D > 1)
+        {
+            if (first.node < 0) return;
+            #pragma GCC unroll 3
+            for (int j = 0; j < nX; ++j)
+            {
+                rowAt<8>(adjoint + first.node*D*sA + j*8) = first.X[j];
+            }
+            rowAt<4>(rates + first.node*sR + atRates) = first.rates;
+        }
+    };
+
+    edgeBlocks block(d.dual);
+    const auto begin = [&](const index a) { zeroAt<sA*D>(adjoint + a*D*sA); };
+    for (; block.valid(); ++block)
+    {
+        block.ahead([&](const index a)
+        {
+            prefetch<nP>(P + a*sW);
+            if constexpr (moves) prefetch<nP>((D == 3 ? H : F) + a*nP);
+            prefetch<sS>(sensor + a*sS);
+            prefetch<sR>(rates + a*sR);
+            begin(a);
+        });
+        const label* ends = block.nodes();
+        const index e = block.first();
+        const scalar* C = x.area.cdata() + e*D;
+        const scalar* r = x.reach.cdata() + e*D;
+        const scalar* motion = x.motion.cdata() + e*nM;
+        const edgeMotion<D, lanes> m = motionAt<D>(motion);
+
+        lanes c[D], CC{}, S, M, N, smallerM, factor;
+        for (int j = 0; j < D; ++j)
+        {
+            c[j] = laneAt(C, j);
+            CC += c[j]*c[j];
+        }
+
+        // Differences of the stresses, times the area, as they act on
+        // displacements: beta/2 (P_a - P_b) C
+        alignas(registerBytes) row<4> corrections[nLanes];
+        lanes more[D];
+        if constexpr (D == 3)
+        {
+            lanes of[8];
+            lanesOf(of, [&](const int l)
+            {
+                const index a = ends[2*l], b = ends[2*l + 1];
+                const auto squares = squaresOf(a, b);
+                if constexpr (corrects)
+                {
+                    row<4> difference{};
+                    for (int j = 0; j < D; ++j)
+                    {
+                        difference +=
+                            C[j*nLanes + l]
+                           *(
+                                rowAt<4>(P + a*sW + j*D)
+                              - rowAt<4>(P + b*sW + j*D)
+                            );
+                    }
+                    corrections[l] = halfBeta*difference;
+                }
+                row<4> deformed{};
+                if constexpr (finite) deformed = waveArea3(H, C + l, a, b);
+                deformed = row<4>
+                {
+                    deformed[0], deformed[1], deformed[2], squares.second[3]
+                };
+                return joined(squares.first, deformed);
+            });
+            for (int i = 0; finite && i < D; ++i) c[i] = of[4 + i];
+            S = of[0];
+            M = of[1];
+            N = of[2];
+            smallerM = of[3];
+            factor = -of[7];
+        }
+        else if constexpr (D == 2)
+        {
+            lanes of[8];
+            lanesOf(of, [&](const int l)
+            {
+                const auto squares = squaresOf(ends[2*l], ends[2*l + 1]);
+                return joined(squares.first, squares.second);
+            });
+            S = of[0];
+            M = of[1];
+            N = of[2];
+            smallerM = of[3];
+            factor = -of[7];
+            if constexpr (finite || corrects)
+            {
+                lanesOf(of, [&](const int l)
+                {
+                    const index a = ends[2*l], b = ends[2*l + 1];
+                    row<4> sum{}, difference{};
+                    if constexpr (finite)
+                    {
+                        sum = rowAt<4>(F + a*nP) + rowAt<4>(F + b*nP);
+                    }
+                    if constexpr (corrects)
+                    {
+                        difference =
+                            rowAt<4>(P + a*sW) - rowAt<4>(P + b*sW);
+                    }
+                    return joined(sum, difference);
+                });
+            }
+            if constexpr (finite)
+            {
+                // The in-plane cofactor is a permutation of F
+                c[0] = 0.5*(of[3]*laneAt(C, 0) - of[2]*laneAt(C, 1));
+                c[1] = 0.5*(of[0]*laneAt(C, 1) - of[1]*laneAt(C, 0));
+            }
+            for (int i = 0; corrects && i < D; ++i)
+            {
+                more[i] =
+                    halfBeta
+                   *(of[4 + i]*laneAt(C, 0) + of[4 + D + i]*laneAt(C, 1));
+            }
+        }
+        else
+        {
+            lanes of[8];
+            lanesOf(of, [&](const int l)
+            {
+                const index a = ends[2*l], b = ends[2*l + 1];
+                const auto squares = squaresOf(a, b);
+                row<4> other = squares.second;
+                if constexpr (corrects) other[0] = P[a*sW] - P[b*sW];
+                return joined(squares.first, other);
+            });
+            S = of[0];
+            M = of[1];
+            N = of[2];
+            smallerM = of[3];
+            factor = -of[7];
+            more[0] = halfBeta*of[4]*laneAt(C, 0);
+        }
+
+        lanes fast;
+        const lanes leftOut = jumpSensor::leftOut<D, lanes>
+        (
+            S, M, N, smallerM, d.cp, fast
+        );
+        const edgeDissipation<D, lanes> f
+        (
+            m, c, CC, factor, leftOut, x.epsilon + (1 - x.epsilon)*leftOut,
+            halfZp, halfZs
+        );
+
+        // Differences of the rate of the volume
+        lanes q{};
+        if constexpr (volume)
+        {
+            lanes Cr{}, rr{}, difference{};
+            for (int j = 0; j < D; ++j)
+            {
+                const lanes rj = laneAt(r, j);
+                Cr += laneAt(C, j)*rj;
+                rr += rj*rj;
+                const scalar* trace = grad + j*sA + second + j;
+                difference += lanesByOne([&](const int l)
+                {
+                    return
+                        trace[index(ends[2*l])*D*sA]
+                      - trace[index(ends[2*l + 1])*D*sA];
+                });
+            }
+            q =
+                (0.25*x.volumeImpedance/(D + 1))*fast*Cr
+               *rr*inverseSquareRoot(rr)*difference;
+        }
+
+        // To the nodes
+        const scalar* dx = finite ? motion + D*nLanes : r;
+        if constexpr (D == 3)
+        {
+            lanes out[8] =
+                {f.s[0], f.s[1], f.s[2], lanes{}, f.z[0], f.z[1], f.z[2], q};
+            alignas(registerBytes) row<8> rows[nLanes];
+            rowsOf(rows, out);
+            for (int l = 0; l < block.size(); ++l)
+            {
+                const index a = ends[2*l], b = ends[2*l + 1];
+                scalar* Xb = adjoint + b*D*sA;
+                if (a != first.node)
+                {
+                    keep();
+                    first.node = a;
+                    #pragma GCC unroll 3
+                    for (int j = 0; j < D; ++j)
+                    {
+                        first.X[j] = rowAt<8>(adjoint + a*D*sA + j*sA);
+                    }
+                    first.rates = rowAt<4>(rates + a*sR + second);
+                }
+                constexpr row<8> sign = {-1, -1, -1, -1, 1, 1, 1, 1};
+                const row<4> s = lower(rows[l]);
+                row<8> sums = spliced
+                (
+                    corrects ? corrections[l] : row<4>{}, rows[l]
+                );
+                #pragma GCC unroll 3
+                for (int j = 0; j < D; ++j)
+                {
+                    const row<8> by =
+                        halves(r[j*nLanes + l], dx[j*nLanes + l]);
+                    first.X[j] += by*sums;
+                    rowAt<8>(Xb + j*sA) += by*(sign*sums);
+                }
+                if constexpr (volume)
+                {
+                    const scalar ql = rows[l][7];
+                    for (int j = 0; j < D; ++j)
+                    {
+                        row<8> diagonal{};
+                        diagonal[second + j] = 1;
+                        first.X[j] += ql*diagonal;
+                        Xb[j*sA + second + j] -= ql;
+                    }
+                }
+                first.rates += s;
+                rowAt<4>(rates + b*sR + second) -= s;
+            }
+        }
+        else if constexpr (D == 2)
+        {
+            lanes toA[8];
+            for (int j = 0; j < D; ++j)
+            {
+                for (int i = 0; i < D; ++i)
+                {
+                    toA[j*sA + i] =
+                        corrects ? more[i]*laneAt(r, j) : lanes{};
+                    toA[j*sA + second + i] = f.z[i]*laneAt(dx, j);
+                }
+            }
+            alignas(registerBytes) row<8> rows[nLanes];
+            alignas(registerBytes) row<4> other[nLanes];
+            rowsOf(rows, toA);
+            fourRowsOf(other, {q, lanes{}, f.s[0], f.s[1]});
+            for (int l = 0; l < block.size(); ++l)
+            {
+                const index a = ends[2*l], b = ends[2*l + 1];
+                scalar* Xb = adjoint + b*D*sA;
+                if (a != first.node)
+                {
+                    keep();
+                    first.node = a;
+                    first.X[0] = rowAt<8>(adjoint + a*D*sA);
+                    first.rates = rowAt<4>(rates + a*sR);
+                }
+                constexpr row<8> sign = {-1, -1, 1, 1, -1, -1, 1, 1};
+                constexpr row<4> isForce = {0, 0, 1, 1};
+                first.X[0] += rows[l];
+                row<8> toB = sign*rows[l];
+                if constexpr (volume)
+                {
+                    constexpr row<8> diagonal = {0, 0, 1, 0, 0, 0, 0, 1};
+                    const row<8> ql = other[l][0]*diagonal;
+                    first.X[0] += ql;
+                    toB -= ql;
+                }
+                rowAt<8>(Xb) += toB;
+                const row<4> s = isForce*other[l];
+                first.rates += s;
+                rowAt<4>(rates + b*sR) -= s;
+            }
+        }
+        else
+        {
+            const lanes toFirst = corrects ? more[0]*laneAt(r, 0) : lanes{};
+            const lanes toSecond = f.z[0]*laneAt(dx, 0);
+            alignas(registerBytes) row<4> rows[nLanes];
+            fourRowsOf(rows, {toFirst, toSecond, f.s[0], q});
+            for (int l = 0; l < block.size(); ++l)
+            {
+                const index a = ends[2*l], b = ends[2*l + 1];
+                const scalar* f = reinterpret_cast<const scalar*>(&rows[l]);
+                constexpr row<2> sign = {-1, 1};
+                rowAt<2>(adjoint + a*sA) += rowAt<2>(f);
+                rowAt<2>(adjoint + b*sA) += sign*rowAt<2>(f);
+                if constexpr (volume)
+                {
+                    adjoint[a*sA + 1] += f[3];
+                    adjoint[b*sA + 1] -= f[3];
+                }
+                rates[a*sR + 1] += f[2];
+                rates[b*sR + 1] -= f[2];
+            }
+        }
+    }
+    keep();
+    block.rest(begin);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+template<int D, bool finite>
+void variationalKernelTemplate<D, finite>::fluxes
+(
+    vertexData& d,
+    variationalData& x
+) const
+{
+    scalar* sensor = x.sensor.data();
+    for (index a = 0; a < d.nNodes(); ++a)
+    {
+        sensor[a*sS + 3] = d.waveFactor.size() ? -d.waveFactor[a] : -1;
+    }
+    const bool volume = x.volumeImpedance > 0;
+    if (x.beta > 0)
+    {
+        volume ? fluxLoop<true, true>(d, x) : fluxLoop<true, false>(d, x);
+    }
+    else
+    {
+        volume ? fluxLoop<false, true>(d, x) : fluxLoop<false, false>(d, x);
+    }
+}
+
+
+template<int D, bool finite>
+void variationalKernelTemplate<D, finite>::sumWaves
+(
+    const vertexData& d,
+    variationalData& x
+) const
+{
+    const scalar* F = d.state.F.cdata();
+    const scalar* H = d.state.H.cdata();
+    const scalar* factors = d.waveFactor.cdata();
+    const bool stretched = d.waveFactor.size();
+    scalar* waves = x.waves.data();
+
+    edgeBlocks block(d.dual);
+    const auto begin = [&](const index a) { zeroAt<sK>(waves + a*sK); };
+    for (; block.valid(); ++block)
+    {
+        block.ahead([&](const index a)
+        {
+            if constexpr (finite) prefetch<nP>((D == 3 ? H : F) + a*nP);
+            begin(a);
+        });
+        const label* ends = block.nodes();
+        const scalar* C = x.area.cdata() + index(block.first())*D;
+        lanes c[D], cc{}, CC{};
+        for (int j = 0; j < D; ++j)
+        {
+            c[j] = laneAt(C, j);
+            CC += c[j]*c[j];
+        }
+        lanes of[4];
+        if constexpr (finite && D == 3)
+        {
+            fourLanesOf(of, [&](const int l)
+            {
+                return waveArea3(H, C + l, ends[2*l], ends[2*l + 1]);
+            });
+            for (int i = 0; i < D; ++i) c[i] = of[i];
+        }
+        else if constexpr (finite && D == 2)
+        {
+            fourLanesOf(of, [&](const int l)
+            {
+                return
+                    rowAt<4>(F + index(ends[2*l])*nP)
+                  + rowAt<4>(F + index(ends[2*l + 1])*nP);
+            });
+            c[0] = 0.5*(of[3]*laneAt(C, 0) - of[2]*laneAt(C, 1));
+            c[1] = 0.5*(of[0]*laneAt(C, 1) - of[1]*laneAt(C, 0));
+        }
+        for (int i = 0; i < D; ++i) cc += c[i]*c[i];
+        const lanes larger = finite && D > 1 ? max(cc, CC) : cc;
+        lanes wave = larger*inverseSquareRoot(larger + VSMALL);
+        if (stretched)
+        {
+            wave *= lanesByOne([&](const int l)
+            {
+                return max(factors[ends[2*l]], factors[ends[2*l + 1]]);
+            });
+        }
+        const lanes zn = (d.cp - d.cs)*wave*reciprocal(cc + VSMALL);
+        const lanes zs = d.cs*wave;
+        lanes out[8] = {};
+        for (int i = 0, k = 0; i < D; ++i)
+        {
+            for (int j = i; j < D; ++j, ++k)
+            {
+                out[k] = zn*c[i]*c[j];
+                if (i == j) out[k] += zs;
+            }
+        }
+        alignas(registerBytes) row<8> rows[nLanes];
+        rowsOf(rows, out);
+        for (int l = 0; l < block.size(); ++l)
+        {
+            const index a = ends[2*l], b = ends[2*l + 1];
+            const row<sK>& w =
+                rowAt<sK>(reinterpret_cast<const scalar*>(&rows[l]));
+            rowAt<sK>(waves + a*sK) += w;
+            rowAt<sK>(waves + b*sK) += w;
+        }
+    }
+    block.rest(begin);
+}
+
+} // End namespace Foam
+
+
+// ************************************************************************* //
