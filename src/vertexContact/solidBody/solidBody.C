@@ -453,6 +453,9 @@ Foam::solidBody::solidBody
             }
         }
         x_->joinPairs(dual_.nDim());
+        labelHashSet late(dual_.sharing().sharedNodes());
+        late.insert(symmetry_.nodes());
+        x_->lateNodes = late.sortedToc();
         findSurfaceNodes();
         externalForce_.setSize(dual_.nNodes()*dual_.nDim(), Zero);
         work_.setSize(dual_.nNodes()*dual_.nDim(), Zero);
@@ -741,27 +744,32 @@ void Foam::solidBody::finishRates(const scalar time, const bool energy)
 }
 
 
-Foam::scalar Foam::solidBody::timeScale()
+Foam::scalar Foam::solidBody::timeScale(const bool anew)
 {
     if (waveSumIsConstant_)
     {
         return constantTimeScale_;
     }
 
-    // Of large strains no edge loses more than a third of its length in a
-    // step: what is bounded here is the stiffness at its start
-    scalar shortest =
-        data_.variational && data_.finiteStrain
-      ? 1/(3*x_->closing + VSMALL)
-      : GREAT;
+    scalar shortest = GREAT;
     if (data_.variational)
     {
-        variational_->sumWaves(data_, *x_);
-        dual_.sharing().sum
-        (
-            x_->waves.data(), variationalLayout::strideWaves(dual_.nDim())
-        );
-        shortest = min(shortest, variational_->timeScale(data_, *x_));
+        if (anew)
+        {
+            variational_->sumWaves(data_, *x_);
+            dual_.sharing().sum
+            (
+                x_->waves.data(), variationalLayout::strideWaves(dual_.nDim())
+            );
+            operatorTimeScale_ = variational_->timeScale(data_, *x_);
+        }
+        shortest = operatorTimeScale_;
+        if (data_.finiteStrain)
+        {
+            // No edge loses more than a third of its length in a step: what is
+            // bounded here is the stiffness at its start
+            shortest = min(shortest, 1/(3*x_->closing + VSMALL));
+        }
     }
     else
     {
@@ -775,6 +783,12 @@ Foam::scalar Foam::solidBody::timeScale()
     constantTimeScale_ = shortest;
 
     return shortest;
+}
+
+
+Foam::scalar Foam::solidBody::fastestStretching() const
+{
+    return data_.variational && !waveSumIsConstant_ ? x_->fastest : 0;
 }
 
 

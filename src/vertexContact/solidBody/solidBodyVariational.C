@@ -152,7 +152,10 @@ void Foam::solidBody::deform()
     {
         return variational_->collect(data_, x);
     });
-    times::timed(times::gradients, [&] { variational_->gradients(x, data_); });
+    nBad_ += times::timed(times::gradients, [&]
+    {
+        return variational_->gradients(x, data_);
+    });
     times::timed(times::processors, [&]
     {
         dual_.sharing().sum(x.grad.data(), d*sA);
@@ -164,7 +167,10 @@ void Foam::solidBody::deform()
         return variational_->deform(x, data_);
     });
 
-    times::timed(times::corrections, [&] { variational_->correct(data_, x); });
+    nBad_ += times::timed(times::corrections, [&]
+    {
+        return variational_->correct(data_, x);
+    });
     times::timed(times::processors, [&]
     {
         if (sC)

@@ -39,34 +39,32 @@ inline lanes& laneAt(scalar* block, const int k)
 template<int D>
 inline void store(scalar* block, const edgeMotion<D, lanes>& m)
 {
-    for (int i = 0; i < D; ++i)
-    {
-        laneAt(block, i) = m.jump[i];
-        laneAt(block, D + i) = m.dx[i];
-    }
-    laneAt(block, 2*D) = m.stretching;
-    laneAt(block, 2*D + 1) = m.perLength2;
+    for (int i = 0; i < D; ++i) laneAt(block, i) = m.jump[i];
+    laneAt(block, D) = m.stretching;
 }
 
 
+//- The same motion, with the edges as they are
 template<int D>
-inline edgeMotion<D, lanes> motionAt(const scalar* block)
+inline edgeMotion<D, lanes> motionAt(const scalar* block, const lanes* dx)
 {
     edgeMotion<D, lanes> m;
+    lanes xx{};
     for (int i = 0; i < D; ++i)
     {
         m.jump[i] = laneAt(block, i);
-        m.dx[i] = laneAt(block, D + i);
+        m.dx[i] = dx[i];
+        xx += dx[i]*dx[i];
     }
-    m.stretching = laneAt(block, 2*D);
-    m.perLength2 = laneAt(block, 2*D + 1);
+    m.stretching = laneAt(block, D);
+    m.perLength2 = reciprocal(xx);
     return m;
 }
 
 
 template<int D, bool finite>
 template<bool corrects>
-void variationalKernelTemplate<D, finite>::correctLoop
+label variationalKernelTemplate<D, finite>::correctLoop
 (
     vertexData& d,
     variationalData& x
@@ -80,7 +78,7 @@ void variationalKernelTemplate<D, finite>::correctLoop
     scalar* correction = x.correction.data();
     scalar* sensor = x.sensor.data();
     scalar* rates = d.rates.data();
-    lanes closing{};
+    lanes closing{}, opening{};
 
     // In 3D: sums of the first node, in registers as long as it is the same
     struct
@@ -105,6 +103,16 @@ void variationalKernelTemplate<D, finite>::correctLoop
         }
     };
 
+    completeNodes complete(x.lateNodes);
+    label nBad = 0;
+    const auto completeBefore = [&](const label end)
+    {
+        complete.before(end, [&](const index a)
+        {
+            nBad += !moveNode(d, x, a);
+        });
+    };
+
     edgeBlocks block(d.dual);
     const auto begin = [&](const index a)
     {
@@ -114,6 +122,9 @@ void variationalKernelTemplate<D, finite>::correctLoop
     };
     for (; block.valid(); ++block)
     {
+        // All edges before this block are done, and so are the nodes before
+        // its first one
+        if (D < 3) completeBefore(block.nodes()[0]);
         block.ahead([&](const index a)
         {
             prefetch<sU>(U + a*sU);
@@ -139,6 +150,7 @@ void variationalKernelTemplate<D, finite>::correctLoop
         const auto squaresOf = [&](const edgeMotion<D, lanes>& m)
         {
             closing = max(closing, m.closing);
+            opening = max(opening, -m.closing);
             lanes hastening{};
             if constexpr (D > 1)
             {
@@ -161,14 +173,11 @@ void variationalKernelTemplate<D, finite>::correctLoop
                     differences[l] = rowAt<8>(U + b*sU) - rowAt<8>(U + a*sU);
             });
             setEdge(of);
-            for (int i = 0; finite && i < D; ++i)
-            {
-                laneAt(motion, D + i) = dx[i];
-            }
 
             // G r of the displacement, L dx of the velocity: from both nodes;
             // the acceleration besides
-            const scalar* byV = finite ? motion + D*nLanes : r;
+            const scalar* byV =
+                finite ? reinterpret_cast<const scalar*>(dx) : r;
             lanesOf(of, [&](const int l)
             {
                 const index a = ends[2*l], b = ends[2*l + 1];
@@ -211,6 +220,7 @@ void variationalKernelTemplate<D, finite>::correctLoop
                 if (a != first.node)
                 {
                     keep();
+                    completeBefore(a);
                     first.node = a;
                     #pragma GCC unroll 3
                     for (int j = 0; j < D; ++j)
@@ -362,20 +372,26 @@ void variationalKernelTemplate<D, finite>::correctLoop
     }
     keep();
     block.rest(begin);
+    completeBefore(d.nNodes());
 
-    x.closing = 0;
-    for (int l = 0; l < nLanes; ++l) x.closing = max(x.closing, closing[l]);
+    x.closing = x.fastest = 0;
+    for (int l = 0; l < nLanes; ++l)
+    {
+        x.closing = max(x.closing, closing[l]);
+        x.fastest = max(x.fastest, max(closing[l], opening[l]));
+    }
+    return nBad;
 }
 
 
 template<int D, bool finite>
-void variationalKernelTemplate<D, finite>::correct
+label variationalKernelTemplate<D, finite>::correct
 (
     vertexData& d,
     variationalData& x
 ) const
 {
-    x.beta > 0 ? correctLoop<true>(d, x) : correctLoop<false>(d, x);
+    return x.beta > 0 ? correctLoop<true>(d, x) : correctLoop<false>(d, x);
 }
 
 } // End namespace Foam

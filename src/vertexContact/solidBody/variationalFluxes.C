@@ -52,8 +52,9 @@ void variationalKernelTemplate<D, finite>::fluxLoop
     const scalar* P = d.W.cdata() + d.offsetP();
     const scalar* F = d.state.F.cdata();
     const scalar* H = d.state.H.cdata();
-    const scalar* sensor = x.sensor.cdata();
+    scalar* sensor = x.sensor.data();
     const scalar* grad = x.grad.cdata();
+    const scalar* U = x.U.cdata();
     scalar* rates = d.rates.data();
     scalar* adjoint = x.adjoint.data();
     const index sW = d.strideW;
@@ -99,13 +100,27 @@ void variationalKernelTemplate<D, finite>::fluxLoop
         }
     };
 
+    completeNodes complete(x.lateNodes);
+    const auto completeBefore = [&](const label end)
+    {
+        complete.before(end, [&](const index a) { stressNode(x, d, a); });
+    };
+
     edgeBlocks block(d.dual);
-    const auto begin = [&](const index a) { zeroAt<sA*D>(adjoint + a*D*sA); };
+    const scalar* factors = d.waveFactor.cdata();
+    const bool stretched = d.waveFactor.size();
+    const auto begin = [&](const index a)
+    {
+        zeroAt<sA*D>(adjoint + a*D*sA);
+        sensor[a*sS + 3] = stretched ? -factors[a] : -1;
+    };
     for (; block.valid(); ++block)
     {
+        if (D == 1) completeBefore(block.nodes()[0]);
         block.ahead([&](const index a)
         {
             prefetch<nP>(P + a*sW);
+            if constexpr (finite) prefetch<sU>(U + a*sU);
             if constexpr (moves) prefetch<nP>((D == 3 ? H : F) + a*nP);
             prefetch<sS>(sensor + a*sS);
             prefetch<sR>(rates + a*sR);
@@ -115,8 +130,38 @@ void variationalKernelTemplate<D, finite>::fluxLoop
         const index e = block.first();
         const scalar* C = x.area.cdata() + e*D;
         const scalar* r = x.reach.cdata() + e*D;
-        const scalar* motion = x.motion.cdata() + e*nM;
-        const edgeMotion<D, lanes> m = motionAt<D>(motion);
+
+        // The edges as they are
+        lanes changed[D];
+        const scalar* dx = r;
+        if constexpr (finite)
+        {
+            if constexpr (D == 1)
+            {
+                const lanes by = lanesByOne([&](const int l)
+                {
+                    return
+                        U[index(ends[2*l + 1])*sU] - U[index(ends[2*l])*sU];
+                });
+                changed[0] = laneAt(r, 0) + by;
+            }
+            else
+            {
+                lanes by[4];
+                fourLanesOf(by, [&](const int l)
+                {
+                    return
+                        rowAt<4>(U + index(ends[2*l + 1])*sU)
+                      - rowAt<4>(U + index(ends[2*l])*sU);
+                });
+                for (int i = 0; i < D; ++i) changed[i] = laneAt(r, i) + by[i];
+            }
+            dx = reinterpret_cast<const scalar*>(changed);
+        }
+        const edgeMotion<D, lanes> m = motionAt<D>
+        (
+            x.motion.cdata() + e*nM, reinterpret_cast<const lanes*>(dx)
+        );
 
         lanes c[D], CC{}, S, M, N, smallerM, factor;
         for (int j = 0; j < D; ++j)
@@ -263,7 +308,6 @@ void variationalKernelTemplate<D, finite>::fluxLoop
         }
 
         // To the nodes
-        const scalar* dx = finite ? motion + D*nLanes : r;
         if constexpr (D == 3)
         {
             lanes out[8] =
@@ -277,6 +321,7 @@ void variationalKernelTemplate<D, finite>::fluxLoop
                 if (a != first.node)
                 {
                     keep();
+                    completeBefore(a);
                     first.node = a;
                     #pragma GCC unroll 3
                     for (int j = 0; j < D; ++j)
@@ -337,6 +382,7 @@ void variationalKernelTemplate<D, finite>::fluxLoop
                 if (a != first.node)
                 {
                     keep();
+                    completeBefore(a);
                     first.node = a;
                     first.X[0] = rowAt<8>(adjoint + a*D*sA);
                     first.rates = rowAt<4>(rates + a*sR);
@@ -383,6 +429,7 @@ void variationalKernelTemplate<D, finite>::fluxLoop
     }
     keep();
     block.rest(begin);
+    completeBefore(d.nNodes());
 }
 
 
@@ -395,11 +442,6 @@ void variationalKernelTemplate<D, finite>::fluxes
     variationalData& x
 ) const
 {
-    scalar* sensor = x.sensor.data();
-    for (index a = 0; a < d.nNodes(); ++a)
-    {
-        sensor[a*sS + 3] = d.waveFactor.size() ? -d.waveFactor[a] : -1;
-    }
     const bool volume = x.volumeImpedance > 0;
     if (x.beta > 0)
     {

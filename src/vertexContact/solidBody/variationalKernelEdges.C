@@ -20,7 +20,7 @@ namespace Foam
 {
 
 template<int D, bool finite>
-void variationalKernelTemplate<D, finite>::gradients
+label variationalKernelTemplate<D, finite>::gradients
 (
     variationalData& x,
     const vertexData& d
@@ -29,48 +29,51 @@ void variationalKernelTemplate<D, finite>::gradients
     const label* edge = d.dual.edgeNodes().cdata();
     const scalar* U = x.U.cdata();
     const label nEdges = d.dual.nEdges();
-
-    x.grad = Zero;
+    const label nPairs = x.pairNodes.size()/2;
     scalar* grad = x.grad.data();
 
-    const label nPairs = x.pairNodes.size()/2;
-    for (label p = 0; p < nPairs; ++p)
+    // Edges, and pairs, are sorted by their first node: with the last of its
+    // own, all of a node are done
+    index e = 0, pair = 0, asked = 0, met = 0;
+    completeNodes complete(x.lateNodes);
+    label nBad = 0;
+    const auto meet = [&](const index b)
     {
-        const index a = x.pairNodes[2*p], b = x.pairNodes[2*p + 1];
-        const scalar* B = x.pairArea.cdata() + D*p;
-        const row<sA> change = rowAt<sA>(U + b*sU) - rowAt<sA>(U + a*sU);
-        for (int j = 0; j < D; ++j)
+        for (; met <= b; ++met)
         {
-            rowAt<sA>(grad + (a*D + j)*sA) += change*B[j];
-            rowAt<sA>(grad + (b*D + j)*sA) -= change*B[j];
+            prefetch<sU>(U + met*sU);
+            zeroAt<sA*D>(grad + met*D*sA);
         }
-    }
-
-    // Edges are sorted by their first node: with the last of its own, all edges
-    // of a node are done
-    index e = 0, farthest = -1;
+    };
     for (index a = 0; a < d.nNodes(); ++a)
     {
+        meet(a);
         scalar* ga = grad + a*D*sA;
         const row<sA> Ua = rowAt<sA>(U + a*sU);
+        for (; pair < nPairs && x.pairNodes[2*pair] == a; ++pair)
+        {
+            const index b = x.pairNodes[2*pair + 1];
+            const scalar* B = x.pairArea.cdata() + D*pair;
+            meet(b);
+            const row<sA> change = rowAt<sA>(U + b*sU) - Ua;
+            for (int j = 0; j < D; ++j)
+            {
+                rowAt<sA>(ga + j*sA) += change*B[j];
+                rowAt<sA>(grad + (b*D + j)*sA) -= change*B[j];
+            }
+        }
+
         row<sA> sumA[D];
         for (int j = 0; j < D; ++j) sumA[j] = rowAt<sA>(ga + j*sA);
-
         for (; e < nEdges && edge[2*e] == a; ++e)
         {
-            const index soon =
-                edge[2*min(e + prefetchDistance, index(nEdges - 1)) + 1];
-            if (soon > farthest)
-            {
-                farthest = soon;
-                prefetch<sU>(U + soon*sU);
-                prefetch<sA*D>(grad + soon*D*sA);
-            }
+            const index soon = min(e + prefetchDistance, index(nEdges - 1));
+            for (; asked <= soon; ++asked) meet(edge[2*asked + 1]);
 
-            scalar* gb = grad + index(edge[2*e + 1])*D*sA;
+            const index b = edge[2*e + 1];
+            scalar* gb = grad + b*D*sA;
             const scalar* C = variationalLayout::ofEdge<D>(x.area, e);
-            const row<sA> half =
-                0.5*(rowAt<sA>(U + index(edge[2*e + 1])*sU) - Ua);
+            const row<sA> half = 0.5*(rowAt<sA>(U + b*sU) - Ua);
             for (int j = 0; j < D; ++j)
             {
                 sumA[j] += half*C[j*nLanes];
@@ -80,7 +83,12 @@ void variationalKernelTemplate<D, finite>::gradients
 
         const scalar perV = x.perV[a];
         for (int j = 0; j < D; ++j) rowAt<sA>(ga + j*sA) = sumA[j]*perV;
+        complete.before(a + 1, [&](const index n)
+        {
+            nBad += !deformNode(x, n);
+        });
     }
+    return nBad;
 }
 
 

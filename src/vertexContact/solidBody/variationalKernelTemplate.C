@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "variationalKernelTemplate.H"
+#include "variationalNodes.C"
 #include "variationalKernelEdges.C"
 #include "variationalCorrections.C"
 #include "variationalFluxes.C"
@@ -99,56 +100,11 @@ template<int D, bool finite>
 label variationalKernelTemplate<D, finite>::deform
 (
     variationalData& x,
-    const vertexData& d
+    const vertexData&
 ) const
 {
-    if constexpr (!finite)
-    {
-        return 0;
-    }
     label nBad = 0;
-    for (label a = 0; a < d.nNodes(); ++a)
-    {
-        scalar* g = x.grad.data() + a*D*sA;
-        SolidTensor<D> F;
-        for (int i = 0; i < D; ++i)
-        {
-            for (int j = 0; j < D; ++j)
-            {
-                F(i, j) = (i == j ? 1 : 0) + g[j*sA + i];
-            }
-        }
-        F.out = 1;
-        const SolidTensor<D> H = cofactor(F);
-        const scalar det = determinant(F, H);
-        if (!(det > 0)) ++nBad;
-        const scalar perDet = 1/det;
-        scalar* inverse = x.inverse.data() + a*nP;
-        scalar L[nP];
-        for (int i = 0; i < D; ++i)
-        {
-            for (int j = 0; j < D; ++j) inverse[i*D + j] = perDet*H(j, i);
-        }
-        for (int i = 0; i < D; ++i)
-        {
-            for (int j = 0; j < D; ++j)
-            {
-                scalar sum = 0;
-                for (int k = 0; k < D; ++k)
-                {
-                    sum += g[k*sA + second + i]*inverse[k*D + j];
-                }
-                L[i*D + j] = sum;
-            }
-        }
-        for (int i = 0; i < D; ++i)
-        {
-            for (int j = 0; j < D; ++j)
-            {
-                g[j*sA + second + i] = L[i*D + j];
-            }
-        }
-    }
+    for (const label a : x.lateNodes) nBad += !deformNode(x, a);
     return nBad;
 }
 
@@ -161,49 +117,7 @@ label variationalKernelTemplate<D, finite>::kinematics
 ) const
 {
     label nBad = 0;
-    scalar* F = d.state.F.data();
-    for (label a = 0; a < d.nNodes(); ++a)
-    {
-        const scalar perV = x.perV[a];
-        for (int k = 0; k < 3; ++k) x.sensor[a*sS + k] *= x.perEdges[a];
-        const scalar* g = x.grad.cdata() + a*D*sA;
-        constexpr int sC = variationalLayout::strideC(D, true);
-        const scalar* c = x.correction.cdata() + a*D*sC;
-        for (int i = 0; i < D; ++i)
-        {
-            for (int j = 0; j < D; ++j)
-            {
-                scalar sum = g[j*sA + i];
-                if (x.beta > 0) sum += perV*c[j*sC + i];
-                F[a*nP + i*D + j] = (i == j ? 1 : 0) + sum;
-            }
-        }
-
-        bool good = true;
-        if constexpr (finite)
-        {
-            const SolidTensor<D> f = loadF<D>(F, a);
-            const SolidTensor<D> H = cofactor(f);
-            const scalar J = determinant(f, H);
-            good = J > 0;
-            if constexpr (D == 3)
-            {
-                for (int k = 0; k < 9; ++k)
-                {
-                    d.state.H[9*a + placeH(k)] = H.in[k];
-                }
-            }
-            if (x.smoothed) x.jacobian[a] = J;
-        }
-        else
-        {
-            for (int k = 0; k < nP; ++k)
-            {
-                good = good && mag(F[a*nP + k]) < largestLinearF;
-            }
-        }
-        if (!good) ++nBad;
-    }
+    for (const label a : x.lateNodes) nBad += !moveNode(d, x, a);
     return nBad;
 }
 
@@ -270,49 +184,7 @@ void variationalKernelTemplate<D, finite>::stresses
     const vertexData& d
 ) const
 {
-    const scalar* P = d.W.cdata() + d.offsetP();
-    const index sC = variationalLayout::strideC(D, x.beta > 0);
-    const index atJump = variationalLayout::atJump(D, x.beta > 0);
-    for (index a = 0; a < d.nNodes(); ++a)
-    {
-        const scalar perV = x.perV[a];
-        scalar* T = x.adjoint.data() + a*D*sA;
-        const scalar* jump = x.correction.cdata() + a*D*sC + atJump;
-        for (int j = 0; D > 1 && j < D; ++j)
-        {
-            for (int i = 0; i < D; ++i) T[j*sA + i] += jump[j*sC + i];
-        }
-        scalar Z[D][D];
-        for (int i = 0; i < D; ++i)
-        {
-            for (int j = 0; j < D; ++j)
-            {
-                if constexpr (finite)
-                {
-                    // Z (G x)^-T
-                    const scalar* inverse = x.inverse.cdata() + a*nP;
-                    scalar sum = 0;
-                    for (int k = 0; k < D; ++k)
-                    {
-                        sum += T[k*sA + second + i]*inverse[j*D + k];
-                    }
-                    Z[i][j] = sum;
-                }
-                else
-                {
-                    Z[i][j] = T[j*sA + second + i];
-                }
-            }
-        }
-        for (int j = 0; j < D; ++j)
-        {
-            for (int i = 0; i < D; ++i)
-            {
-                T[j*sA + i] = P[a*d.strideW + j*D + i] + perV*T[j*sA + i];
-                T[j*sA + second + i] = perV*Z[i][j];
-            }
-        }
-    }
+    for (const label a : x.lateNodes) stressNode(x, d, a);
 }
 
 
@@ -448,29 +320,23 @@ lanes variationalKernelTemplate<D, finite>::timeScales
     const label first
 )
 {
-    const auto node = [&](const int l)
-    {
-        return index(min(first + label(l), d.nNodes() - 1));
-    };
+    const int n = min(label(nLanes), d.nNodes() - first);
     lanes K[nK], F[nP], waves[nK];
-    const scalar* bound = x.geometricBound.cdata();
-    const scalar* w = x.waves.cdata();
-    const scalar* f = d.state.F.cdata();
+    const stridedLanes K_(nK, n), waves_(sK, n), F_(nP, n), scalars(1, n);
     for (int k = 0; k < nK; ++k)
     {
-        K[k] = lanesByOne([&](const int l) { return bound[node(l)*nK + k]; });
-        waves[k] = lanesByOne([&](const int l) { return w[node(l)*sK + k]; });
+        K[k] = K_(x.geometricBound.cdata() + first*nK + k);
+        waves[k] = waves_(x.waves.cdata() + first*sK + k);
     }
     for (int k = 0; k < nP; ++k)
     {
-        F[k] = lanesByOne([&](const int l) { return f[node(l)*nP + k]; });
+        F[k] = F_(d.state.F.cdata() + first*nP + k);
     }
-    const lanes perV =
-        lanesByOne([&](const int l) { return x.perV[node(l)]; });
-    const lanes factor = lanesByOne([&](const int l)
-    {
-        return d.waveFactor.size() ? d.waveFactor[node(l)] : scalar(1);
-    });
+    const lanes perV = scalars(x.perV.cdata() + first);
+    const lanes factor =
+        d.waveFactor.size()
+      ? scalars(d.waveFactor.cdata() + first)
+      : uniform<lanes>(1);
     const lanes square = x.boundRatio*squaredFrequency(K, F, factor, d.cp);
 
     lanes trace{}, squares{};

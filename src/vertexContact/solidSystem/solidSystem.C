@@ -230,14 +230,20 @@ void Foam::solidSystem::evaluateForces(const scalar time)
 
 Foam::scalar Foam::solidSystem::stableStep()
 {
-    scalar shortest = GREAT;
+    // The edges of a cell hold all of its strain
+    sinceBound_ += bodies_[0].lastStep()*fastest_;
+    const bool anew = sinceBound_ >= boundStrain;
+    if (anew) sinceBound_ = 0;
+
+    scalar shortest = GREAT, fastest = 0;
     forAll(bodies_, i)
     {
         bodyStep_[i] = passTimes::timed(passTimes::stableStep, [&]
         {
-            return bodies_[i].timeScale();
+            return bodies_[i].timeScale(anew);
         });
         shortest = min(shortest, bodyStep_[i]);
+        fastest = max(fastest, bodies_[i].fastestStretching());
     }
     if (integrator_.leapfrog())
     {
@@ -251,7 +257,12 @@ Foam::scalar Foam::solidSystem::stableStep()
             );
         }
     }
-    return returnReduce(shortest, minOp<scalar>());
+    const vector least
+    (
+        returnReduce(vector(shortest, -fastest, 0), minOp<vector>())
+    );
+    fastest_ = -least.y();
+    return least.x();
 }
 
 
@@ -997,6 +1008,7 @@ void Foam::solidSystem::startStep()
      || logs(steps_ + 1, startOfStep_ + runTime_.deltaTValue())
     )
     {
+        if (!adjusts) sinceBound_ = GREAT;
         timeStepLimit_ = stableStep();
         checkTimeStep();
     }

@@ -506,6 +506,7 @@ bool Foam::solidSystem::writeData(Ostream& os) const
     {
         body.forgetRates();
     }
+    self.sinceBound_ = GREAT;
 
     // Reduced here, since every rank writes
     const auto total = [](const scalar share)

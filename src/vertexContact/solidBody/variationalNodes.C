@@ -1,0 +1,177 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+-------------------------------------------------------------------------------
+Description
+    What is done with a node when all of its edges have added to it.
+
+\*---------------------------------------------------------------------------*/
+
+#include "variationalKernelTemplate.H"
+#include "vertexKernel.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+namespace Foam
+{
+
+template<int D, bool finite>
+inline bool variationalKernelTemplate<D, finite>::deformNode
+(
+    variationalData& x,
+    const index a
+)
+{
+    if constexpr (!finite)
+    {
+        return true;
+    }
+    scalar* g = x.grad.data() + a*D*sA;
+    SolidTensor<D> F;
+    for (int i = 0; i < D; ++i)
+    {
+        for (int j = 0; j < D; ++j)
+        {
+            F(i, j) = (i == j ? 1 : 0) + g[j*sA + i];
+        }
+    }
+    F.out = 1;
+    const SolidTensor<D> H = cofactor(F);
+    const scalar det = determinant(F, H);
+    const scalar perDet = 1/det;
+    scalar* inverse = x.inverse.data() + a*nP;
+    scalar L[nP];
+    for (int i = 0; i < D; ++i)
+    {
+        for (int j = 0; j < D; ++j) inverse[i*D + j] = perDet*H(j, i);
+    }
+    for (int i = 0; i < D; ++i)
+    {
+        for (int j = 0; j < D; ++j)
+        {
+            scalar sum = 0;
+            for (int k = 0; k < D; ++k)
+            {
+                sum += g[k*sA + second + i]*inverse[k*D + j];
+            }
+            L[i*D + j] = sum;
+        }
+    }
+    for (int i = 0; i < D; ++i)
+    {
+        for (int j = 0; j < D; ++j) g[j*sA + second + i] = L[i*D + j];
+    }
+    return det > 0;
+}
+
+
+template<int D, bool finite>
+inline bool variationalKernelTemplate<D, finite>::moveNode
+(
+    vertexData& d,
+    variationalData& x,
+    const index a
+)
+{
+    scalar* F = d.state.F.data();
+    const scalar perV = x.perV[a];
+    for (int k = 0; k < 3; ++k) x.sensor[a*sS + k] *= x.perEdges[a];
+    const scalar* g = x.grad.cdata() + a*D*sA;
+    constexpr int sC = variationalLayout::strideC(D, true);
+    const scalar* c = x.correction.cdata() + a*D*sC;
+    for (int i = 0; i < D; ++i)
+    {
+        for (int j = 0; j < D; ++j)
+        {
+            scalar sum = g[j*sA + i];
+            if (x.beta > 0) sum += perV*c[j*sC + i];
+            F[a*nP + i*D + j] = (i == j ? 1 : 0) + sum;
+        }
+    }
+
+    if constexpr (finite)
+    {
+        const SolidTensor<D> f = loadF<D>(F, a);
+        const SolidTensor<D> H = cofactor(f);
+        const scalar J = determinant(f, H);
+        if constexpr (D == 3)
+        {
+            for (int k = 0; k < 9; ++k)
+            {
+                d.state.H[9*a + placeH(k)] = H.in[k];
+            }
+        }
+        if (x.smoothed) x.jacobian[a] = J;
+        return J > 0;
+    }
+    else
+    {
+        bool good = true;
+        for (int k = 0; k < nP; ++k)
+        {
+            good = good && mag(F[a*nP + k]) < largestLinearF;
+        }
+        return good;
+    }
+}
+
+
+template<int D, bool finite>
+inline void variationalKernelTemplate<D, finite>::stressNode
+(
+    variationalData& x,
+    const vertexData& d,
+    const index a
+)
+{
+    const scalar* P = d.W.cdata() + d.offsetP() + a*d.strideW;
+    const index sC = variationalLayout::strideC(D, x.beta > 0);
+    const scalar perV = x.perV[a];
+    scalar* T = x.adjoint.data() + a*D*sA;
+    if constexpr (D > 1)
+    {
+        const scalar* jump =
+            x.correction.cdata() + a*D*sC
+          + variationalLayout::atJump(D, x.beta > 0);
+        for (int j = 0; j < D; ++j)
+        {
+            for (int i = 0; i < D; ++i) T[j*sA + i] += jump[j*sC + i];
+        }
+    }
+    scalar Z[D][D];
+    for (int i = 0; i < D; ++i)
+    {
+        for (int j = 0; j < D; ++j)
+        {
+            if constexpr (finite)
+            {
+                // Z (G x)^-T
+                const scalar* inverse = x.inverse.cdata() + a*nP;
+                scalar sum = 0;
+                for (int k = 0; k < D; ++k)
+                {
+                    sum += T[k*sA + second + i]*inverse[j*D + k];
+                }
+                Z[i][j] = sum;
+            }
+            else
+            {
+                Z[i][j] = T[j*sA + second + i];
+            }
+        }
+    }
+    for (int j = 0; j < D; ++j)
+    {
+        for (int i = 0; i < D; ++i)
+        {
+            T[j*sA + i] = P[j*D + i] + perV*T[j*sA + i];
+            T[j*sA + second + i] = perV*Z[i][j];
+        }
+    }
+}
+
+} // End namespace Foam
+
+
+// ************************************************************************* //
