@@ -885,6 +885,7 @@ void Foam::solidBody::restoreOld()
         data_.state.disp = data_.old.disp;
         x_->acceleration = x_->oldAcceleration;
         lastStep_ = oldStep_;
+        collected_ = false;
     }
     else
     {

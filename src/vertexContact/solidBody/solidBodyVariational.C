@@ -150,8 +150,10 @@ void Foam::solidBody::deform()
     typedef passTimes times;
     nBad_ = times::timed(times::velocities, [&]
     {
-        return variational_->collect(data_, x);
+        return
+            collected_ ? nBadCollected_ : variational_->collect(data_, x);
     });
+    collected_ = false;
     nBad_ += times::timed(times::gradients, [&]
     {
         return variational_->gradients(x, data_);
@@ -357,15 +359,11 @@ void Foam::solidBody::computeForces(const bool energy)
 }
 
 
-void Foam::solidBody::findAcceleration(const scalar step)
+void Foam::solidBody::holdDissipation()
 {
-    variationalData& x = *x_;
-    if (x.acceleration.empty()) return;
-    const label d = dual_.nDim();
-
     // What contact or a boundary holds is not moved by the dissipation
-    scalar* damping =
-        data_.rates.data() + variationalLayout::second(d);
+    const label d = dual_.nDim();
+    scalar* damping = data_.rates.data() + variationalLayout::second(d);
     const label stride = data_.strideRates;
     if (symmetry_.active()) symmetry_.project(damping, stride);
     const auto isHeld = [&](const label a)
@@ -380,23 +378,6 @@ void Foam::solidBody::findAcceleration(const scalar step)
             if (contact_.status[a] >= 0.5) isHeld(a);
         }
     }
-    const scalar* lm = data_.state.lm.cdata();
-    const scalar* old = data_.old.lm.cdata();
-    const scalar perStep = 1/step, perRho = 1/data_.rho;
-    scalar* result = x.acceleration.data();
-    withDirections(d, [&](auto D)
-    {
-        for (label a = 0; a < dual_.nNodes(); ++a)
-        {
-            for (int i = 0; i < D.value; ++i)
-            {
-                const label k = a*D.value + i;
-                result[k] =
-                    perRho
-                   *(perStep*(lm[k] - old[k]) - damping[a*stride + i]);
-            }
-        }
-    });
 }
 
 
@@ -617,17 +598,19 @@ void Foam::solidBody::leap
     const label d = dual_.nDim();
     const scalar half = 0.5*(lastStep_ + deltaT);
     scalar* lm = data_.state.lm.data();
-    scalar* disp = data_.state.disp.data();
     const scalar perRho = 1/data_.rho;
 
     withDirections(d, [&](auto D)
     {
+        scalar* old = data_.old.lm.data();
         for (label a = 0; a < dual_.nNodes(); ++a)
         {
             const scalar* rate = data_.rates.cdata() + a*data_.strideRates;
             for (int i = 0; i < D.value; ++i)
             {
-                lm[a*D.value + i] += half*rate[i];
+                const label k = a*D.value + i;
+                old[k] = lm[k];
+                lm[k] += half*rate[i];
             }
         }
     });
@@ -644,10 +627,6 @@ void Foam::solidBody::leap
         }
     }
     if (symmetry_.active()) symmetry_.project(lm, d);
-    for (label k = 0; k < dual_.nNodes()*d; ++k)
-    {
-        disp[k] += deltaT*perRho*lm[k];
-    }
 
     if (energy)
     {
@@ -672,7 +651,11 @@ void Foam::solidBody::leap
             }
         }
     }
-    findAcceleration(half);
+
+    if (d > 1) holdDissipation();
+    nBadCollected_ = variational_->move(data_, *x_, deltaT, half);
+    collected_ = true;
+    oldStep_ = lastStep_;
     data_.state.sinceCommit = deltaT;
     lastStep_ = deltaT;
     evaluated_ = false;

@@ -67,30 +67,44 @@ label variationalKernelTemplate<D, finite>::collect
     variationalData& x
 ) const
 {
-    const label n = d.nNodes();
-    const scalar perRho = 1/d.rho;
-    const scalar* lm = d.state.lm.cdata();
-    const scalar* disp = d.state.disp.cdata();
-    const scalar* rush = x.acceleration.cdata();
-    scalar* W = d.W.data();
-    scalar* U = x.U.data();
-
     label nBad = 0;
-    for (label a = 0; a < n; ++a)
+    for (index a = 0; a < d.nNodes(); ++a) nBad += collectNode(d, x, a);
+    return nBad;
+}
+
+
+template<int D, bool finite>
+label variationalKernelTemplate<D, finite>::move
+(
+    vertexData& d,
+    variationalData& x,
+    const scalar deltaT,
+    const scalar half
+) const
+{
+    const scalar perRho = 1/d.rho, perHalf = 1/half;
+    const scalar* lm = d.state.lm.cdata();
+    const scalar* oldLm = d.old.lm.cdata();
+    scalar* disp = d.state.disp.data();
+    scalar* oldDisp = d.old.disp.data();
+    scalar* rush = x.acceleration.data();
+    scalar* oldRush = x.oldAcceleration.data();
+    label nBad = 0;
+    for (index a = 0; a < d.nNodes(); ++a)
     {
+        const scalar* damping = d.rates.cdata() + a*sR + second;
         for (int i = 0; i < D; ++i)
         {
-            const scalar v = perRho*lm[a*D + i];
-            nBad += !(mag(v) < VGREAT);
-            U[a*sU + i] = disp[a*D + i];
-            U[a*sU + second + i] = v;
-            if constexpr (D == 2) U[a*sU + 2*D + i] = rush[a*D + i];
-            if constexpr (D == 3)
+            const index k = a*D + i;
+            oldDisp[k] = disp[k];
+            disp[k] += deltaT*perRho*lm[k];
+            if constexpr (D > 1)
             {
-                x.rush[a*variationalLayout::strideRush(D) + i] = rush[a*D + i];
+                oldRush[k] = rush[k];
+                rush[k] = perRho*(perHalf*(lm[k] - oldLm[k]) - damping[i]);
             }
-            W[a*d.strideW + i] = v;
         }
+        nBad += collectNode(d, x, a);
     }
     return nBad;
 }

@@ -17,6 +17,37 @@ namespace Foam
 {
 
 template<int D, bool finite>
+inline label variationalKernelTemplate<D, finite>::collectNode
+(
+    vertexData& d,
+    variationalData& x,
+    const index a
+)
+{
+    const scalar perRho = 1/d.rho;
+    const scalar* lm = d.state.lm.cdata() + a*D;
+    const scalar* disp = d.state.disp.cdata() + a*D;
+    const scalar* rush = x.acceleration.cdata() + a*D;
+    scalar* W = d.W.data() + a*d.strideW;
+    scalar* U = x.U.data() + a*sU;
+    label nBad = 0;
+    for (int i = 0; i < D; ++i)
+    {
+        const scalar v = perRho*lm[i];
+        nBad += !(mag(v) < VGREAT);
+        U[i] = disp[i];
+        U[second + i] = W[i] = v;
+        if constexpr (D == 2) U[2*D + i] = rush[i];
+        if constexpr (D == 3)
+        {
+            x.rush[a*variationalLayout::strideRush(D) + i] = rush[i];
+        }
+    }
+    return nBad;
+}
+
+
+template<int D, bool finite>
 inline bool variationalKernelTemplate<D, finite>::deformNode
 (
     variationalData& x,

@@ -976,10 +976,6 @@ void Foam::solidSystem::startStep()
         {
             bodies_[i].keepPlasticity();
         }
-        if (integrator_.leapfrog())
-        {
-            bodies_[i].keepOld();
-        }
     }
     for (contactInterface& contact : interfaces_)
     {
@@ -995,6 +991,10 @@ void Foam::solidSystem::startStep()
     }
     if (!evaluated)
     {
+        for (solidBody& body : bodies_)
+        {
+            if (integrator_.leapfrog()) body.keepOld();
+        }
         evaluate(startOfStep_, 0);
     }
 
