@@ -606,7 +606,12 @@ void Foam::solidBody::releaseMeshTables()
 }
 
 
-void Foam::solidBody::prepare(const scalar time, const bool moved)
+void Foam::solidBody::prepare
+(
+    const scalar time,
+    const bool moved,
+    const bool wavesAnew
+)
 {
     if (data_.variational)
     {
@@ -628,7 +633,7 @@ void Foam::solidBody::prepare(const scalar time, const bool moved)
                 data_.strideW
             );
         });
-        if (stretchedWaves_)
+        if (stretchedWaves_ && wavesAnew)
         {
             passTimes::timed(passTimes::waveSpeeds, [&]
             {

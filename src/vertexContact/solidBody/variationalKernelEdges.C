@@ -37,6 +37,13 @@ label variationalKernelTemplate<D, finite>::gradients
     index e = 0, pair = 0, asked = 0, met = 0;
     completeNodes complete(x.lateNodes);
     label nBad = 0;
+    const auto completeBefore = [&](const label end)
+    {
+        complete.before(end, [&](const index a)
+        {
+            nBad += !deformNode(x, a);
+        });
+    };
     const auto meet = [&](const index b)
     {
         for (; met <= b; ++met)
@@ -83,11 +90,9 @@ label variationalKernelTemplate<D, finite>::gradients
 
         const scalar perV = x.perV[a];
         for (int j = 0; j < D; ++j) rowAt<sA>(ga + j*sA) = sumA[j]*perV;
-        complete.before(a + 1, [&](const index n)
-        {
-            nBad += !deformNode(x, n);
-        });
+        if (a % nLanes == nLanes - 1) completeBefore(a + 1);
     }
+    completeBefore(d.nNodes());
     return nBad;
 }
 

@@ -188,7 +188,7 @@ void Foam::solidSystem::evaluateForces(const scalar time)
     // Contact is solved with the velocities that all other forces make
     for (solidBody& body : bodies_)
     {
-        body.prepare(time, true);
+        body.prepare(time, true, boundsAnew_);
         body.computeFluxes(energiesOn_);
         body.finishRates(time, energiesOn_);
     }
@@ -230,11 +230,7 @@ void Foam::solidSystem::evaluateForces(const scalar time)
 
 Foam::scalar Foam::solidSystem::stableStep()
 {
-    // The edges of a cell hold all of its strain
-    sinceBound_ += bodies_[0].lastStep()*fastest_;
-    const bool anew = sinceBound_ >= boundStrain;
-    if (anew) sinceBound_ = 0;
-
+    const bool anew = boundsAnew_ || !integrator_.leapfrog();
     scalar shortest = GREAT, fastest = 0;
     forAll(bodies_, i)
     {
@@ -262,6 +258,7 @@ Foam::scalar Foam::solidSystem::stableStep()
         returnReduce(vector(shortest, -fastest, 0), minOp<vector>())
     );
     fastest_ = -least.y();
+    boundsAnew_ = false;
     return least.x();
 }
 
@@ -358,6 +355,14 @@ void Foam::solidSystem::leap(const scalar time)
         }
     });
     contactSeconds_ += secondsSince(start);
+
+    // The edges of a cell hold all of its strain
+    sinceBound_ += deltaT*fastest_;
+    if (sinceBound_ >= boundStrain)
+    {
+        sinceBound_ = 0;
+        boundsAnew_ = true;
+    }
     evaluate(time, 0);
 
     label nBad = 0;
@@ -1008,7 +1013,7 @@ void Foam::solidSystem::startStep()
      || logs(steps_ + 1, startOfStep_ + runTime_.deltaTValue())
     )
     {
-        if (!adjusts) sinceBound_ = GREAT;
+        if (!adjusts) boundsAnew_ = true;
         timeStepLimit_ = stableStep();
         checkTimeStep();
     }

@@ -506,7 +506,8 @@ bool Foam::solidSystem::writeData(Ostream& os) const
     {
         body.forgetRates();
     }
-    self.sinceBound_ = GREAT;
+    self.sinceBound_ = 0;
+    self.boundsAnew_ = true;
 
     // Reduced here, since every rank writes
     const auto total = [](const scalar share)
