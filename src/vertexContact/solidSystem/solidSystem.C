@@ -202,7 +202,7 @@ void Foam::solidSystem::evaluateForces(const scalar time)
             for (solidBody& body : bodies_)
             {
                 body.setContactStep(deltaT);
-                body.predictCorners();
+                body.startContact();
             }
             solveContact(time, true);
         });
