@@ -61,6 +61,24 @@ FixedList<scalar, 16> spread
     return result;
 }
 
+//- Outward unit normal of the current nodes x of a face: by the same turn from
+//  the reference ones as there, where it is N
+vector currentNormal
+(
+    const FixedList<point, 4>& x,
+    const FixedList<point, 4>& X,
+    const label size,
+    const label nDim,
+    const vector& N,
+    const vector& out
+)
+{
+    if (nDim == 1) return N/mag(N);
+    const vector A(contactSurface::areaNormal(X, size, out));
+    const vector a(contactSurface::areaNormal(x, size, out));
+    return ((A & N) < 0 ? -1 : 1)*a/max(mag(a), VSMALL);
+}
+
 //- One face of a side
 contactFace makeFace
 (
@@ -118,12 +136,7 @@ contactFace makeFace
     f.N = mean/mag(mean);
     f.width = f.size > 1 ? contactSurface::meanEdge(f.X, f.size) : f.depth[0];
 
-    // The same turn from reference to current nodes
-    const vector A(contactSurface::areaNormal(f.X, f.size, out));
-    const vector a(contactSurface::areaNormal(f.x, f.size, out));
-    f.n =
-        d == 1 ? f.N
-      : ((A & f.N) < 0 ? -1 : 1)*a/max(mag(a), VSMALL);
+    f.n = currentNormal(f.x, f.X, f.size, d, f.N, out);
     return f;
 }
 
@@ -247,10 +260,38 @@ Foam::contactFaceList Foam::contactSurface::faces
 }
 
 
-Foam::contactFaceList Foam::contactSurface::facesIn
+Foam::contactFace Foam::contactSurface::currentFace
 (
     const contactSide& side,
     const globalIndex& corners,
+    const label facei
+)
+{
+    return makeFace(side, corners, outOfPlane(side), facei, true);
+}
+
+
+Foam::contactSurface::outline::outline
+(
+    const label facei,
+    const contactFace& f
+)
+:
+    face(facei),
+    box(boundBox::invertedBox),
+    centre(f.centre()),
+    radius(f.radius()),
+    n(f.n),
+    width(f.width)
+{
+    for (label i = 0; i < f.size; ++i) box.add(f.x[i]);
+}
+
+
+Foam::DynamicList<Foam::contactSurface::outline>
+Foam::contactSurface::outlinesIn
+(
+    const contactSide& side,
     const boundBox& box
 )
 {
@@ -259,36 +300,57 @@ Foam::contactFaceList Foam::contactSurface::facesIn
     const dualPatch& patch = dual.patches()[side.patchi];
     const label d = dual.nDim();
     const vector out(outOfPlane(side));
-    const scalar* X = dual.nodePosition().cdata();
+    const scalar* Xs = dual.nodePosition().cdata();
     const scalar* disp = body.state().disp.cdata();
 
-    DynamicList<contactFace> faces;
+    DynamicList<outline> faces;
     for (label facei = 0; facei < patch.nFaces(); ++facei)
     {
+        const label start = patch.faceStart[facei];
+        const label size = patch.faceStart[facei + 1] - start;
         bool meets = true;
         for (label i = 0; i < d && meets; ++i)
         {
             scalar least = GREAT, most = -GREAT;
-            for
-            (
-                label k = patch.faceStart[facei];
-                k < patch.faceStart[facei + 1];
-                ++k
-            )
+            for (label k = start; k < start + size; ++k)
             {
                 const label at = patch.cornerNode[k]*d + i;
-                least = min(least, X[at] + disp[at]);
-                most = max(most, X[at] + disp[at]);
+                least = min(least, Xs[at] + disp[at]);
+                most = max(most, Xs[at] + disp[at]);
             }
             const direction e = dual.directions()[i];
             meets = least <= box.max()[e] && most >= box.min()[e];
         }
-        if (meets)
+        if (!meets) continue;
+
+        FixedList<point, 4> x(point::zero), X(point::zero);
+        vector N(Zero);
+        outline o;
+        o.face = facei;
+        o.box = boundBox(boundBox::invertedBox);
+        o.centre = point::zero;
+        for (label j = 0; j < size; ++j)
         {
-            faces.append(makeFace(side, corners, out, facei, true));
+            const label a = patch.cornerNode[start + j];
+            X[j] = body.expand(Xs + a*d);
+            x[j] = X[j] + body.expand(disp + a*d);
+            N += body.expand(patch.cornerNormal.cdata() + (start + j)*d);
+            o.box.add(x[j]);
+            o.centre += x[j];
         }
+        o.centre /= size;
+        scalar radiusSqr = 0;
+        for (label j = 0; j < size; ++j)
+        {
+            radiusSqr = max(radiusSqr, magSqr(x[j] - o.centre));
+        }
+        o.radius = std::sqrt(radiusSqr);
+        o.n = currentNormal(x, X, size, d, N, out);
+        o.width =
+            size > 1 ? meanEdge(X, size) : body.depth(side.patchi)[start];
+        faces.append(o);
     }
-    return contactFaceList(faces);
+    return faces;
 }
 
 

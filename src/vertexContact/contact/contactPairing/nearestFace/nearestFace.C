@@ -5,10 +5,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "nearestFace.H"
-#include "contactSurface.H"
 #include "solidBody.H"
 #include "dictionaryCheck.H"
-#include "pointTree.H"
+#include "pointGrid.H"
 #include "PstreamBuffers.H"
 #include "ListListOps.H"
 #include "Time.H"
@@ -37,11 +36,36 @@ using namespace Foam;
 constexpr scalar usualDistance = 0.1;
 constexpr scalar largestDistance = 0.4;
 
-boundBox boxOf(const contactFace& f)
+//- Largest product of the normals of faces that meet
+constexpr scalar leastOpposed = -0.5;
+
+//- The normals of two sets of faces do not all lie in cones so narrow that no
+//  two oppose each other
+bool mayOppose
+(
+    const UList<contactSurface::outline>& a,
+    const UList<contactSurface::outline>& b
+)
 {
-    boundBox b(boundBox::invertedBox);
-    for (label i = 0; i < f.size; ++i) b.add(f.x[i]);
-    return b;
+    vector axes[2];
+    scalar angle = 0;
+    const UList<contactSurface::outline>* both[2] = {&a, &b};
+    for (label k = 0; k < 2; ++k)
+    {
+        vector& axis = axes[k];
+        axis = vector::zero;
+        for (const contactSurface::outline& o : *both[k]) axis += o.n;
+        if (mag(axis) < SMALL) return true;
+        axis /= mag(axis);
+        scalar least = 1;
+        for (const contactSurface::outline& o : *both[k])
+        {
+            least = min(least, o.n & axis);
+        }
+        angle += std::acos(max(least, scalar(-1)));
+    }
+    angle += std::acos(max(min(axes[0] & axes[1], scalar(1)), scalar(-1)));
+    return angle > std::acos(leastOpposed) - 1e-6;
 }
 
 boundBox grown(boundBox b, const scalar by)
@@ -80,15 +104,10 @@ Foam::contactFaceList Foam::contactPairings::nearestFace::oppositeFaces
     const boundBox& near
 ) const
 {
-    contactFaceList mine
+    const DynamicList<contactSurface::outline> mine
     (
-        contactSurface::facesIn(plus_, plusCorners_, near)
+        contactSurface::outlinesIn(plus_, near)
     );
-    if (!Pstream::parRun())
-    {
-        return mine;
-    }
-
     List<boundBox> boxes(Pstream::nProcs());
     boxes[Pstream::myProcNo()] = minusBox;
     Pstream::gatherList(boxes);
@@ -100,9 +119,18 @@ Foam::contactFaceList Foam::contactPairings::nearestFace::oppositeFaces
         if (boxes[proc].min().x() > boxes[proc].max().x()) continue;
 
         DynamicList<contactFace::message> some;
-        for (const contactFace& f : mine)
+        for (const contactSurface::outline& o : mine)
         {
-            if (boxes[proc].overlaps(boxOf(f))) some.append(f.pack());
+            if (boxes[proc].overlaps(o.box))
+            {
+                some.append
+                (
+                    contactSurface::currentFace
+                    (
+                        plus_, plusCorners_, o.face
+                    ).pack()
+                );
+            }
         }
         if (some.size())
         {
@@ -137,7 +165,7 @@ bool Foam::contactPairings::nearestFace::opposed
     vector& n
 ) const
 {
-    if ((a.n & b.n) > -0.5)
+    if ((a.n & b.n) > leastOpposed)
     {
         return false;
     }
@@ -194,6 +222,84 @@ bool Foam::contactPairings::nearestFace::opposed
     }
 
     return true;
+}
+
+
+void Foam::contactPairings::nearestFace::pairFaces
+(
+    const UList<contactSurface::outline>& mine,
+    const UList<contactSurface::outline>& others,
+    const contactFaceList& received,
+    DynamicList<contactOverlap>& overlaps
+) const
+{
+    if (!mine.size() || !others.size() || !mayOppose(mine, others)) return;
+
+    scalar radius = 0;
+    pointField centres(others.size());
+    forAll(others, i)
+    {
+        centres[i] = others[i].centre;
+        radius = max(radius, others[i].radius);
+    }
+    const pointGrid grid(centres, 2*(radius + reach_));
+
+    const vector out(contactSurface::outOfPlane(minus_));
+    const label nDim = minus_.body->dual().nDim();
+
+    // Faces of the others on this rank, as far as they are needed
+    DynamicList<contactFace> faces;
+    labelList where(received.size() ? 0 : others.size(), -1);
+
+    DynamicList<label> found;
+    for (const contactSurface::outline& a : mine)
+    {
+        const boundBox near
+        (
+            grown(a.box, radius + 0.5*(a.width + reach_))
+        );
+        found.clear();
+        grid.forEach(near, [&](const label i)
+        {
+            if
+            (
+                (a.n & others[i].n) <= leastOpposed
+             && near.contains(others[i].centre)
+            )
+            {
+                found.append(i);
+            }
+        });
+        if (found.empty()) continue;
+
+        // The order of sums must not depend on the grid
+        Foam::sort(found);
+        const contactFace face
+        (
+            contactSurface::currentFace(minus_, minusCorners_, a.face)
+        );
+        for (const label i : found)
+        {
+            if (where.size() && where[i] < 0)
+            {
+                where[i] = faces.size();
+                faces.append
+                (
+                    contactSurface::currentFace
+                    (
+                        plus_, plusCorners_, others[i].face
+                    )
+                );
+            }
+            const contactFace& b =
+                where.size() ? faces[where[i]] : received[others[i].face];
+            vector n;
+            if (opposed(face, b, n))
+            {
+                contactOverlaps::append(face, b, n, out, nDim, overlaps);
+            }
+        }
+    }
 }
 
 
@@ -287,69 +393,36 @@ void Foam::contactPairings::nearestFace::update(const scalar time)
     if (apart <= search)
     {
         // Only faces near the other side
-        const contactFaceList mine
+        const DynamicList<contactSurface::outline> mine
         (
-            contactSurface::facesIn
-            (
-                minus_, minusCorners_, grown(plusAll, search)
-            )
+            contactSurface::outlinesIn(minus_, grown(plusAll, search))
         );
-        boundBox mineBox(boundBox::invertedBox);
-        for (const contactFace& f : mine)
+        DynamicList<contactSurface::outline> others;
+        contactFaceList received;
+        if (Pstream::parRun())
         {
-            mineBox.add(boxOf(f));
-        }
-        const contactFaceList others
-        (
-            minus_ == plus_ && !Pstream::parRun()
-          ? mine
-          : oppositeFaces
+            boundBox box(boundBox::invertedBox);
+            for (const contactSurface::outline& o : mine) box.add(o.box);
+            received = oppositeFaces
             (
-                mine.size() ? grown(mineBox, search) : mineBox,
+                mine.size() ? grown(box, search) : box,
                 grown(minusAll, search)
-            )
-        );
-
-        if (mine.size() && others.size())
-        {
-            pointField centres(others.size());
-            scalar radius = 0;
-            forAll(others, f)
+            );
+            others.reserve(received.size());
+            forAll(received, f)
             {
-                centres[f] = others[f].centre();
-                radius = max(radius, others[f].radius());
-            }
-            const autoPtr<pointTree> tree(newPointTree(centres, radius));
-
-            const vector out(contactSurface::outOfPlane(minus_));
-            const label nDim = minus_.body->dual().nDim();
-            for (const contactFace& a : mine)
-            {
-                labelList found
-                (
-                    tree->findBox
-                    (
-                        treeBoundBox
-                        (
-                            grown(boxOf(a), radius + 0.5*(a.width + reach_))
-                        )
-                    )
-                );
-                // The order of sums must not depend on the tree
-                Foam::sort(found);
-                for (const label i : found)
-                {
-                    vector n;
-                    if (opposed(a, others[i], n))
-                    {
-                        contactOverlaps::append
-                        (
-                            a, others[i], n, out, nDim, overlaps
-                        );
-                    }
-                }
+                others.append(contactSurface::outline(f, received[f]));
             }
         }
+        else if (!(minus_ == plus_))
+        {
+            others = contactSurface::outlinesIn
+            (
+                plus_, grown(minusAll, search)
+            );
+        }
+        const bool itself = minus_ == plus_ && !Pstream::parRun();
+        pairFaces(mine, itself ? mine : others, received, overlaps);
     }
     setOverlaps(overlaps);
 
