@@ -562,6 +562,7 @@ void Foam::bodyInterface::update(const scalar time, const bool)
 {
     pairing_->update(time);
     resize();
+    if (!pairing_->active()) statistics_ = statistics();
 }
 
 

@@ -111,8 +111,9 @@ Foam::labelList Foam::generalInterface::candidates(const scalar time)
 void Foam::generalInterface::collect()
 {
     statistics_ = statistics();
-    for (const bodyInterface& part : parts_)
+    for (const label i : active_)
     {
+        const bodyInterface& part = parts_[i];
         const statistics& s = part.stageStatistics();
         statistics_.force += s.force;
         statistics_.plusForce += s.plusForce;
@@ -130,7 +131,7 @@ void Foam::generalInterface::collect()
         statistics_.nOpen += s.nOpen;
         statistics_.nStick += s.nStick;
         statistics_.nSlip += s.nSlip;
-        if (lost_.empty()) lost_ = part.lost();
+        if (lost_.empty() && part.lost().size()) lost_ = part.lost();
     }
 }
 
@@ -205,9 +206,11 @@ bool Foam::generalInterface::outdated(const scalar time)
     {
         if (motion.exceeded(time)) return true;
     }
-    for (bodyInterface& part : parts_)
+    forAll(due_, i)
     {
-        if (part.bodyInterface::outdated(time)) return true;
+        if (time < due_[i]) continue;
+        if (parts_[i].outdated(time, 1)) return true;
+        due_[i] = parts_[i].pairing().due();
     }
     return false;
 }
@@ -233,8 +236,23 @@ void Foam::generalInterface::update(const scalar time, const bool all)
     labelList keys(keys_);
     if (search) keys = candidates(time);
 
+    boolList wasSummed(keys_.size(), false);
+    for (const label i : summed_) wasSummed[i] = true;
+    DynamicList<label> active, summed;
+    due_.setSize(keys.size());
+
     PtrList<bodyInterface> parts(keys.size());
     label old = 0;
+    const auto take = [&](const label i, const bool kept)
+    {
+        bodyInterface& part = parts[i];
+        due_[i] = part.pairing().due();
+        const bool is = part.pairing().active();
+        if (is) active.append(i);
+        if (is || kept) summed.append(i);
+        // Its sums have not changed in this step yet
+        if (is && !kept) part.keepSums();
+    };
     forAll(keys, i)
     {
         while (old < keys_.size() && keys_[old] < keys[i]) ++old;
@@ -242,6 +260,7 @@ void Foam::generalInterface::update(const scalar time, const bool all)
         {
             parts.set(i, parts_.set(old, nullptr).ptr());
             if (moved[old]) parts[i].update(time, all);
+            take(i, wasSummed[old]);
             continue;
         }
         const label n = surfaces_.size();
@@ -255,6 +274,7 @@ void Foam::generalInterface::update(const scalar time, const bool all)
             )
         );
         if (past_.found(keys[i])) parts[i].setSums(past_[keys[i]]);
+        take(i, false);
     }
     forAll(parts_, i)
     {
@@ -265,18 +285,20 @@ void Foam::generalInterface::update(const scalar time, const bool all)
     }
     keys_.transfer(keys);
     parts_.transfer(parts);
+    active_.transfer(active);
+    summed_.transfer(summed);
 }
 
 
 void Foam::generalInterface::remember()
 {
-    for (bodyInterface& part : parts_) part.remember();
+    for (const label i : active_) parts_[i].remember();
 }
 
 
 void Foam::generalInterface::solve(const scalar time, const bool firstStage)
 {
-    for (bodyInterface& part : parts_) part.solve(time, firstStage);
+    for (const label i : active_) parts_[i].solve(time, firstStage);
     collect();
 }
 
@@ -284,14 +306,16 @@ void Foam::generalInterface::solve(const scalar time, const bool firstStage)
 void Foam::generalInterface::accumulate(const scalar weightedDeltaT)
 {
     contactInterface::accumulate(weightedDeltaT);
-    for (bodyInterface& part : parts_) part.accumulate(weightedDeltaT);
+    for (const label i : active_) parts_[i].accumulate(weightedDeltaT);
 }
 
 
 void Foam::generalInterface::slide(const scalar middle, const scalar deltaT)
 {
-    for (bodyInterface& part : parts_)
+    for (const label i : active_)
     {
+        bodyInterface& part = parts_[i];
+        if (!part.law().sticks()) continue;
         const scalar before = part.sums().friction;
         part.slide(middle, deltaT);
         account_.friction += part.sums().friction - before;
@@ -302,14 +326,15 @@ void Foam::generalInterface::slide(const scalar middle, const scalar deltaT)
 void Foam::generalInterface::keepSums()
 {
     contactInterface::keepSums();
-    for (bodyInterface& part : parts_) part.keepSums();
+    for (const label i : summed_) parts_[i].keepSums();
+    summed_ = active_;
 }
 
 
 void Foam::generalInterface::restoreSums()
 {
     contactInterface::restoreSums();
-    for (bodyInterface& part : parts_) part.restoreSums();
+    for (const label i : summed_) parts_[i].restoreSums();
 }
 
 
