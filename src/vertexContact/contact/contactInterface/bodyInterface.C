@@ -621,7 +621,23 @@ Foam::Pair<Foam::string> Foam::bodyInterface::sideNames() const
 
 void Foam::bodyInterface::update(const scalar time, const bool)
 {
-    pairing_->update(time);
+    update
+    (
+        time,
+        contactSurface::snapshot(minus_, false),
+        contactSurface::snapshot(plus_, false)
+    );
+}
+
+
+void Foam::bodyInterface::update
+(
+    const scalar time,
+    const contactSurface::snapshot& minus,
+    const contactSurface::snapshot& plus
+)
+{
+    pairing_->update(time, minus, plus);
     resize();
     if (!pairing_->active()) statistics_ = statistics();
 }

@@ -56,8 +56,11 @@ Foam::labelList Foam::generalInterface::candidates(const scalar time)
     forAll(surfaces_, i)
     {
         boxes[i] = motions_[i].box();
-        momentum[i] = surfaces_[i].body->linearMomentum();
-        mass[i] = surfaces_[i].body->mass();
+        // Surfaces of one body follow each other
+        const bool same = i && surfaces_[i].body == surfaces_[i - 1].body;
+        momentum[i] =
+            same ? momentum[i - 1] : surfaces_[i].body->linearMomentum();
+        mass[i] = same ? mass[i - 1] : surfaces_[i].body->mass();
     }
     boxes = everywhere(boxes, joinBox);
     momentum = everywhere(momentum, plusEqOp<vector>());
@@ -236,13 +239,26 @@ void Foam::generalInterface::update(const scalar time, const bool all)
     labelList keys(keys_);
     if (search) keys = candidates(time);
 
-    boolList wasSummed(keys_.size(), false);
+    boolList wasSummed;
+    wasSummed.setSize(keys_.size(), false);
     for (const label i : summed_) wasSummed[i] = true;
     DynamicList<label> active, summed;
     due_.setSize(keys.size());
 
     PtrList<bodyInterface> parts(keys.size());
     label old = 0;
+    // Of each surface that is paired again once
+    PtrList<contactSurface::snapshot> now(surfaces_.size());
+    const auto snapshotOf = [&](const label i) -> contactSurface::snapshot&
+    {
+        if (!now.set(i))
+        {
+            now.set(i, new contactSurface::snapshot(surfaces_[i], true));
+        }
+        return now[i];
+    };
+
+    const label n = surfaces_.size();
     const auto take = [&](const label i, const bool kept)
     {
         bodyInterface& part = parts[i];
@@ -259,11 +275,14 @@ void Foam::generalInterface::update(const scalar time, const bool all)
         if (old < keys_.size() && keys_[old] == keys[i])
         {
             parts.set(i, parts_.set(old, nullptr).ptr());
-            if (moved[old]) parts[i].update(time, all);
+            if (moved[old])
+            {
+                contactSurface::snapshot& minus = snapshotOf(keys[i]/n);
+                parts[i].update(time, minus, snapshotOf(keys[i] % n));
+            }
             take(i, wasSummed[old]);
             continue;
         }
-        const label n = surfaces_.size();
         parts.set
         (
             i,

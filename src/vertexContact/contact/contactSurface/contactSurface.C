@@ -140,6 +140,89 @@ contactFace makeFace
     return f;
 }
 
+//- Current positions of the nodes of a body, in its solution directions
+struct positions
+{
+    const solidBody& body;
+    const label d;
+    const scalar* X;
+    const scalar* disp;
+
+    explicit positions(const contactSide& side)
+    :
+        body(*side.body),
+        d(body.dual().nDim()),
+        X(body.dual().nodePosition().cdata()),
+        disp(body.state().disp.cdata())
+    {}
+
+    scalar component(const label node, const label i) const
+    {
+        return X[node*d + i] + disp[node*d + i];
+    }
+
+    point reference(const label node) const
+    {
+        return body.expand(X + node*d);
+    }
+
+    point operator()(const label node) const
+    {
+        return reference(node) + body.expand(disp + node*d);
+    }
+};
+
+//- Call a function for the outlines of those faces of a side that are wanted
+template<class Wanted, class Function>
+void outlines
+(
+    const contactSide& side,
+    const Wanted& wanted,
+    const Function& f
+)
+{
+    const solidBody& body = *side.body;
+    const dualPatch& patch = body.dual().patches()[side.patchi];
+    const positions at(side);
+    const vector out(contactSurface::outOfPlane(side));
+
+    for (label facei = 0; facei < patch.nFaces(); ++facei)
+    {
+        if (!wanted(facei)) continue;
+
+        const label start = patch.faceStart[facei];
+        const label size = patch.faceStart[facei + 1] - start;
+        FixedList<point, 4> x(point::zero), X(point::zero);
+        vector N(Zero);
+        contactSurface::outline o;
+        o.face = facei;
+        o.box = boundBox(boundBox::invertedBox);
+        o.centre = point::zero;
+        for (label j = 0; j < size; ++j)
+        {
+            const label a = patch.cornerNode[start + j];
+            X[j] = at.reference(a);
+            x[j] = at(a);
+            N += body.expand(patch.cornerNormal.cdata() + (start + j)*at.d);
+            o.box.add(x[j]);
+            o.centre += x[j];
+        }
+        o.centre /= size;
+        scalar radiusSqr = 0;
+        for (label j = 0; j < size; ++j)
+        {
+            radiusSqr = max(radiusSqr, magSqr(x[j] - o.centre));
+        }
+        o.radius = std::sqrt(radiusSqr);
+        o.n = currentNormal(x, X, size, at.d, N, out);
+        o.width =
+            size > 1
+          ? contactSurface::meanEdge(X, size)
+          : body.depth(side.patchi)[start];
+        f(o);
+    }
+}
+
 } // End anonymous namespace
 
 
@@ -288,69 +371,90 @@ Foam::contactSurface::outline::outline
 }
 
 
-Foam::DynamicList<Foam::contactSurface::outline>
-Foam::contactSurface::outlinesIn
+Foam::contactSurface::snapshot::snapshot
 (
     const contactSide& side,
-    const boundBox& box
+    const bool whole
 )
+:
+    side(side),
+    box(boundBox::invertedBox),
+    velocity(side.body->meanVelocity()),
+    whole(whole)
 {
-    const solidBody& body = *side.body;
-    const medianDual& dual = body.dual();
-    const dualPatch& patch = dual.patches()[side.patchi];
-    const label d = dual.nDim();
-    const vector out(outOfPlane(side));
-    const scalar* Xs = dual.nodePosition().cdata();
-    const scalar* disp = body.state().disp.cdata();
-
-    DynamicList<outline> faces;
-    for (label facei = 0; facei < patch.nFaces(); ++facei)
+    const dualPatch& patch = side.body->dual().patches()[side.patchi];
+    if (whole)
     {
-        const label start = patch.faceStart[facei];
-        const label size = patch.faceStart[facei + 1] - start;
-        bool meets = true;
-        for (label i = 0; i < d && meets; ++i)
-        {
-            scalar least = GREAT, most = -GREAT;
-            for (label k = start; k < start + size; ++k)
-            {
-                const label at = patch.cornerNode[k]*d + i;
-                least = min(least, Xs[at] + disp[at]);
-                most = max(most, Xs[at] + disp[at]);
-            }
-            const direction e = dual.directions()[i];
-            meets = least <= box.max()[e] && most >= box.min()[e];
-        }
-        if (!meets) continue;
-
-        FixedList<point, 4> x(point::zero), X(point::zero);
-        vector N(Zero);
-        outline o;
-        o.face = facei;
-        o.box = boundBox(boundBox::invertedBox);
-        o.centre = point::zero;
-        for (label j = 0; j < size; ++j)
-        {
-            const label a = patch.cornerNode[start + j];
-            X[j] = body.expand(Xs + a*d);
-            x[j] = X[j] + body.expand(disp + a*d);
-            N += body.expand(patch.cornerNormal.cdata() + (start + j)*d);
-            o.box.add(x[j]);
-            o.centre += x[j];
-        }
-        o.centre /= size;
-        scalar radiusSqr = 0;
-        for (label j = 0; j < size; ++j)
-        {
-            radiusSqr = max(radiusSqr, magSqr(x[j] - o.centre));
-        }
-        o.radius = std::sqrt(radiusSqr);
-        o.n = currentNormal(x, X, size, d, N, out);
-        o.width =
-            size > 1 ? meanEdge(X, size) : body.depth(side.patchi)[start];
-        faces.append(o);
+        faces.reserve(patch.nFaces());
+        outlines
+        (
+            side, [](const label) { return true; },
+            [&](const outline& o) { faces.append(o); box.add(o.box); }
+        );
     }
-    return faces;
+    else
+    {
+        const positions x(side);
+        for (const label a : patch.cornerNode) box.add(x(a));
+    }
+    reduce(box.min(), minOp<vector>());
+    reduce(box.max(), maxOp<vector>());
+}
+
+
+Foam::DynamicList<Foam::contactSurface::outline>
+Foam::contactSurface::snapshot::in(const boundBox& box) const
+{
+    const FixedList<label, 3>& directions = side.body->dual().directions();
+    const label d = side.body->dual().nDim();
+    DynamicList<outline> found;
+    if (whole)
+    {
+        for (const outline& o : faces)
+        {
+            bool meets = true;
+            for (label i = 0; i < d; ++i)
+            {
+                const direction e = directions[i];
+                meets =
+                    meets
+                 && o.box.min()[e] <= box.max()[e]
+                 && o.box.max()[e] >= box.min()[e];
+            }
+            if (meets) found.append(o);
+        }
+        return found;
+    }
+
+    const dualPatch& patch = side.body->dual().patches()[side.patchi];
+    const positions x(side);
+    outlines
+    (
+        side,
+        [&](const label facei)
+        {
+            for (label i = 0; i < d; ++i)
+            {
+                const direction e = directions[i];
+                scalar least = GREAT, most = -GREAT;
+                for
+                (
+                    label k = patch.faceStart[facei];
+                    k < patch.faceStart[facei + 1];
+                    ++k
+                )
+                {
+                    const scalar at = x.component(patch.cornerNode[k], i);
+                    least = min(least, at);
+                    most = max(most, at);
+                }
+                if (least > box.max()[e] || most < box.min()[e]) return false;
+            }
+            return true;
+        },
+        [&](const outline& o) { found.append(o); }
+    );
+    return found;
 }
 
 

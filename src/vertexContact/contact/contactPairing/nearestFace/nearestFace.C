@@ -100,14 +100,12 @@ scalar distance(const boundBox& a, const boundBox& b)
 
 Foam::contactFaceList Foam::contactPairings::nearestFace::oppositeFaces
 (
+    const contactSurface::snapshot& plus,
     const boundBox& minusBox,
     const boundBox& near
 ) const
 {
-    const DynamicList<contactSurface::outline> mine
-    (
-        contactSurface::outlinesIn(plus_, near)
-    );
+    const DynamicList<contactSurface::outline> mine(plus.in(near));
     List<boundBox> boxes(Pstream::nProcs());
     boxes[Pstream::myProcNo()] = minusBox;
     Pstream::gatherList(boxes);
@@ -346,7 +344,12 @@ Foam::contactPairings::nearestFace::nearestFace
     leastWidth_ = returnReduce(least, minOp<scalar>());
     reach_ = returnReduce(reach, maxOp<scalar>());
 
-    update(minus.body->mesh().time().value());
+    update
+    (
+        minus.body->mesh().time().value(),
+        contactSurface::snapshot(minus, false),
+        contactSurface::snapshot(plus, false)
+    );
 }
 
 
@@ -376,18 +379,16 @@ bool Foam::contactPairings::nearestFace::outdated
 }
 
 
-void Foam::contactPairings::nearestFace::update(const scalar time)
+void Foam::contactPairings::nearestFace::update
+(
+    const scalar time,
+    const contactSurface::snapshot& minus,
+    const contactSurface::snapshot& plus
+)
 {
-    const boundBox minusBox(minusMotion_.box());
-    boundBox minusAll(minusBox), plusAll(plusMotion_.box());
-    reduce(minusAll.min(), minOp<vector>());
-    reduce(minusAll.max(), maxOp<vector>());
-    reduce(plusAll.min(), minOp<vector>());
-    reduce(plusAll.max(), maxOp<vector>());
-
     // Faces grow with the body, by less than half
     const scalar search = 2*reach_;
-    const scalar apart = oneBody_ ? 0 : distance(minusAll, plusAll);
+    const scalar apart = oneBody_ ? 0 : distance(minus.box, plus.box);
 
     DynamicList<contactOverlap> overlaps;
     if (apart <= search)
@@ -395,7 +396,7 @@ void Foam::contactPairings::nearestFace::update(const scalar time)
         // Only faces near the other side
         const DynamicList<contactSurface::outline> mine
         (
-            contactSurface::outlinesIn(minus_, grown(plusAll, search))
+            minus.in(grown(plus.box, search))
         );
         DynamicList<contactSurface::outline> others;
         contactFaceList received;
@@ -405,8 +406,9 @@ void Foam::contactPairings::nearestFace::update(const scalar time)
             for (const contactSurface::outline& o : mine) box.add(o.box);
             received = oppositeFaces
             (
+                plus,
                 mine.size() ? grown(box, search) : box,
-                grown(minusAll, search)
+                grown(minus.box, search)
             );
             others.reserve(received.size());
             forAll(received, f)
@@ -416,10 +418,7 @@ void Foam::contactPairings::nearestFace::update(const scalar time)
         }
         else if (!(minus_ == plus_))
         {
-            others = contactSurface::outlinesIn
-            (
-                plus_, grown(minusAll, search)
-            );
+            others = plus.in(grown(minus.box, search));
         }
         const bool itself = minus_ == plus_ && !Pstream::parRun();
         pairFaces(mine, itself ? mine : others, received, overlaps);
@@ -433,10 +432,7 @@ void Foam::contactPairings::nearestFace::update(const scalar time)
       : 0.4*leastWidth_;
 
     // What both sides have in common changes nothing between them
-    const vector frame
-    (
-        0.5*(minus_.body->meanVelocity() + plus_.body->meanVelocity())
-    );
+    const vector frame(0.5*(minus.velocity + plus.velocity));
     for (surfaceMotion* motion : {&minusMotion_, &plusMotion_})
     {
         const contactSide& side =
