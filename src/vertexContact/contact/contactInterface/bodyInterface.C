@@ -29,67 +29,6 @@ struct combineAnswers
     }
 };
 
-//- Add the part of an overlap that one side has in another piece of it
-void join(contactStencil& a, const contactStencil& b)
-{
-    const scalar share = b.area/(a.area + b.area);
-    for (label j = 0; j < a.size; ++j)
-    {
-        a.value[j] += share*(b.value[j] - a.value[j]);
-        a.flux[j] += share*(b.flux[j] - a.flux[j]);
-    }
-    a.area += b.area;
-    a.share += b.share;
-}
-
-label firstCorner(const contactStencil& s)
-{
-    label first = s.corner[0];
-    for (label j = 1; j < s.size; ++j) first = min(first, s.corner[j]);
-    return first;
-}
-
-//- Overlaps with the pieces of two corners of quadrilaterals, of which each
-//  has two triangles, in one
-List<contactOverlap> joined(const UList<contactOverlap>& pieces)
-{
-    DynamicList<contactOverlap> all(pieces.size());
-    label start = 0, minusFace = -1, plusFace = -1;
-    for (const contactOverlap& piece : pieces)
-    {
-        // Those of two faces follow each other
-        const label a = firstCorner(piece.minus), b = firstCorner(piece.plus);
-        if (a != minusFace || b != plusFace)
-        {
-            start = all.size();
-            minusFace = a;
-            plusFace = b;
-        }
-        label i = start;
-        while
-        (
-            i < all.size()
-         && !(
-                all[i].minus.corner[0] == piece.minus.corner[0]
-             && all[i].plus.corner[0] == piece.plus.corner[0]
-            )
-        )
-        {
-            ++i;
-        }
-        if (i < all.size())
-        {
-            join(all[i].minus, piece.minus);
-            join(all[i].plus, piece.plus);
-        }
-        else
-        {
-            all.append(piece);
-        }
-    }
-    return List<contactOverlap>(std::move(all));
-}
-
 } // End anonymous namespace
 
 
@@ -171,7 +110,7 @@ void Foam::bodyInterface::resize()
 
 void Foam::bodyInterface::setKernel()
 {
-    const List<contactOverlap> overlaps(joined(pairing_->overlaps()));
+    const List<contactOverlap>& overlaps = pairing_->overlaps();
     const solidBody& body = *minus_.body;
 
     // Corners of the minus side that overlap anything, and which they are

@@ -168,19 +168,9 @@ Foam::generalInterface::generalInterface
     motions_.setSize(surfaces_.size());
     forAll(surfaces_, i)
     {
-        const contactSide& side = surfaces_[i];
-        motions_.set(i, new surfaceMotion(side));
-        const label n = side.body->dual().patches()[side.patchi].nCorners();
-        for
-        (
-            const contactFace& f
-          : contactSurface::faces(side, globalIndex(n), false)
-        )
-        {
-            reach_ = max(reach_, max(f.radius(), f.width));
-        }
+        motions_.set(i, new surfaceMotion(surfaces_[i]));
+        reach_ = max(reach_, contactSurface::sizesOf(surfaces_[i]).reach);
     }
-    reduce(reach_, maxOp<scalar>());
 
     update(bodies[0].mesh().time().value(), true);
 }

@@ -293,6 +293,19 @@ contactStencil stencil
     return s;
 }
 
+//- Add what a side has in another piece of an overlap
+void join(contactStencil& a, const contactStencil& b)
+{
+    const scalar share = b.area/(a.area + b.area);
+    for (label j = 0; j < a.size; ++j)
+    {
+        a.value[j] += share*(b.value[j] - a.value[j]);
+        a.flux[j] += share*(b.flux[j] - a.flux[j]);
+    }
+    a.area += b.area;
+    a.share += b.share;
+}
+
 } // End anonymous namespace
 
 
@@ -335,6 +348,7 @@ void Foam::contactOverlaps::append
     const vector& n,
     const vector& outOfPlane,
     const label nDim,
+    const bool joined,
     DynamicList<contactOverlap>& overlaps
 )
 {
@@ -361,6 +375,7 @@ void Foam::contactOverlaps::append
     }
     const projection a(minus, u, w), b(plus, u, w);
 
+    const label first = overlaps.size();
     const auto add = [&]
     (
         const label i,
@@ -370,6 +385,20 @@ void Foam::contactOverlaps::append
         const contactStencil& sidePlus
     )
     {
+        for (label k = first; joined && k < overlaps.size(); ++k)
+        {
+            contactOverlap& o = overlaps[k];
+            if
+            (
+                o.minus.corner[0] == sideMinus.corner[0]
+             && o.plus.corner[0] == sidePlus.corner[0]
+            )
+            {
+                join(o.minus, sideMinus);
+                join(o.plus, sidePlus);
+                return;
+            }
+        }
         contactOverlap o;
         o.minus = sideMinus;
         o.plus = sidePlus;

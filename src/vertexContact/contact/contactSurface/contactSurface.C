@@ -343,6 +343,41 @@ Foam::contactFaceList Foam::contactSurface::faces
 }
 
 
+Foam::contactSurface::sizes Foam::contactSurface::sizesOf
+(
+    const contactSide& side
+)
+{
+    const dualPatch& patch = side.body->dual().patches()[side.patchi];
+    const scalarField& depth = side.body->depth(side.patchi);
+    const positions at(side);
+    sizes all;
+    for (label facei = 0; facei < patch.nFaces(); ++facei)
+    {
+        const label start = patch.faceStart[facei];
+        const label size = patch.faceStart[facei + 1] - start;
+        FixedList<point, 4> X(point::zero);
+        point centre(Zero);
+        for (label j = 0; j < size; ++j)
+        {
+            X[j] = at.reference(patch.cornerNode[start + j]);
+            centre += X[j];
+        }
+        centre /= size;
+        const scalar width = size > 1 ? meanEdge(X, size) : depth[start];
+        all.least = min(all.least, width);
+        all.reach = max(all.reach, width);
+        for (label j = 0; j < size; ++j)
+        {
+            all.reach = max(all.reach, mag(X[j] - centre));
+        }
+    }
+    reduce(all.least, minOp<scalar>());
+    reduce(all.reach, maxOp<scalar>());
+    return all;
+}
+
+
 Foam::contactFace Foam::contactSurface::currentFace
 (
     const contactSide& side,

@@ -294,7 +294,10 @@ void Foam::contactPairings::nearestFace::pairFaces
             vector n;
             if (opposed(face, b, n))
             {
-                contactOverlaps::append(face, b, n, out, nDim, overlaps);
+                contactOverlaps::append
+                (
+                    face, b, n, out, nDim, minus_.body->variational(), overlaps
+                );
             }
         }
     }
@@ -326,23 +329,10 @@ Foam::contactPairings::nearestFace::nearestFace
         dict, "updateDistance", updateDistance_, "positive and at most 0.4"
     );
 
-    scalar least = GREAT, reach = 0;
-    for (const contactSide* side : {&minus_, &plus_})
-    {
-        const globalIndex& corners =
-            side == &minus_ ? minusCorners_ : plusCorners_;
-        const contactFaceList faces
-        (
-            contactSurface::faces(*side, corners, false)
-        );
-        for (const contactFace& f : faces)
-        {
-            least = min(least, f.width);
-            reach = max(reach, max(f.radius(), f.width));
-        }
-    }
-    leastWidth_ = returnReduce(least, minOp<scalar>());
-    reach_ = returnReduce(reach, maxOp<scalar>());
+    const contactSurface::sizes a(contactSurface::sizesOf(minus_));
+    const contactSurface::sizes b(contactSurface::sizesOf(plus_));
+    leastWidth_ = min(a.least, b.least);
+    reach_ = max(a.reach, b.reach);
 
     update
     (
@@ -390,7 +380,7 @@ void Foam::contactPairings::nearestFace::update
     const scalar search = 2*reach_;
     const scalar apart = oneBody_ ? 0 : distance(minus.box, plus.box);
 
-    DynamicList<contactOverlap> overlaps;
+    DynamicList<contactOverlap> overlaps(contactPairing::overlaps().size());
     if (apart <= search)
     {
         // Only faces near the other side
