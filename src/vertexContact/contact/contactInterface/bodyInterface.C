@@ -563,8 +563,11 @@ void Foam::bodyInterface::update(const scalar time, const bool)
     update
     (
         time,
-        contactSurface::snapshot(minus_, false),
-        contactSurface::snapshot(plus_, false)
+        contactSurface::snapshot
+        (
+            minus_, false, minus_.body->meanVelocity()
+        ),
+        contactSurface::snapshot(plus_, false, plus_.body->meanVelocity())
     );
 }
 

@@ -243,7 +243,27 @@ void Foam::generalInterface::update(const scalar time, const bool all)
     {
         if (!now.set(i))
         {
-            now.set(i, new contactSurface::snapshot(surfaces_[i], true));
+            // Surfaces of one body follow each other
+            const solidBody* body = surfaces_[i].body;
+            label first = i;
+            while (first && surfaces_[first - 1].body == body) --first;
+            label k = first;
+            while (k < now.size() && surfaces_[k].body == body && !now.set(k))
+            {
+                ++k;
+            }
+            const bool known =
+                k < now.size() && surfaces_[k].body == body;
+            now.set
+            (
+                i,
+                new contactSurface::snapshot
+                (
+                    surfaces_[i],
+                    true,
+                    known ? now[k].velocity : body->meanVelocity()
+                )
+            );
         }
         return now[i];
     };

@@ -409,31 +409,62 @@ Foam::contactSurface::outline::outline
 Foam::contactSurface::snapshot::snapshot
 (
     const contactSide& side,
-    const bool whole
+    const bool whole,
+    const vector& velocity
 )
 :
     side(side),
     box(boundBox::invertedBox),
-    velocity(side.body->meanVelocity()),
+    velocity(velocity),
+    speed(0),
     whole(whole)
 {
-    const dualPatch& patch = side.body->dual().patches()[side.patchi];
-    if (whole)
-    {
-        faces.reserve(patch.nFaces());
-        outlines
-        (
-            side, [](const label) { return true; },
-            [&](const outline& o) { faces.append(o); box.add(o.box); }
-        );
-    }
-    else
-    {
-        const positions x(side);
-        for (const label a : patch.cornerNode) box.add(x(a));
-    }
+    const solidBody& body = *side.body;
+    const labelList& cornerNode = body.dual().patches()[side.patchi].cornerNode;
+    const positions x(side);
+    for (const label a : cornerNode) box.add(x(a));
     reduce(box.min(), minOp<vector>());
     reduce(box.max(), maxOp<vector>());
+
+    const scalar* lm = body.state().lm.cdata();
+    const scalar perRho = 1/body.material().rho();
+    scalar speedSqr = 0;
+    for (const label a : cornerNode)
+    {
+        speedSqr = max
+        (
+            speedSqr, magSqr(perRho*body.expand(lm + a*x.d) - velocity)
+        );
+    }
+    speed = std::sqrt(returnReduce(speedSqr, maxOp<scalar>()));
+    if (!whole) return;
+
+    faces.reserve(body.dual().patches()[side.patchi].nFaces());
+    outlines
+    (
+        side, [](const label) { return true; },
+        [&](const outline& o) { faces.append(o); axis += o.n; }
+    );
+    reduce(axis, sumOp<vector>());
+    if (mag(axis) < SMALL) return;
+
+    axis /= mag(axis);
+    scalar least = 1;
+    for (const outline& o : faces) least = min(least, o.n & axis);
+    reduce(least, minOp<scalar>());
+    angle = std::acos(max(least, scalar(-1)));
+}
+
+
+bool Foam::contactSurface::snapshot::mayOppose
+(
+    const snapshot& other,
+    const scalar by
+) const
+{
+    const scalar between =
+        std::acos(max(min(axis & other.axis, scalar(1)), scalar(-1)));
+    return angle + other.angle + between > by - 1e-6;
 }
 
 

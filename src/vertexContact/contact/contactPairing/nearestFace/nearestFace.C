@@ -39,35 +39,6 @@ constexpr scalar largestDistance = 0.4;
 //- Largest product of the normals of faces that meet
 constexpr scalar leastOpposed = -0.5;
 
-//- The normals of two sets of faces do not all lie in cones so narrow that no
-//  two oppose each other
-bool mayOppose
-(
-    const UList<contactSurface::outline>& a,
-    const UList<contactSurface::outline>& b
-)
-{
-    vector axes[2];
-    scalar angle = 0;
-    const UList<contactSurface::outline>* both[2] = {&a, &b};
-    for (label k = 0; k < 2; ++k)
-    {
-        vector& axis = axes[k];
-        axis = vector::zero;
-        for (const contactSurface::outline& o : *both[k]) axis += o.n;
-        if (mag(axis) < SMALL) return true;
-        axis /= mag(axis);
-        scalar least = 1;
-        for (const contactSurface::outline& o : *both[k])
-        {
-            least = min(least, o.n & axis);
-        }
-        angle += std::acos(max(least, scalar(-1)));
-    }
-    angle += std::acos(max(min(axes[0] & axes[1], scalar(1)), scalar(-1)));
-    return angle > std::acos(leastOpposed) - 1e-6;
-}
-
 boundBox grown(boundBox b, const scalar by)
 {
     b.min() -= by*vector::one;
@@ -231,7 +202,7 @@ void Foam::contactPairings::nearestFace::pairFaces
     DynamicList<contactOverlap>& overlaps
 ) const
 {
-    if (!mine.size() || !others.size() || !mayOppose(mine, others)) return;
+    if (!mine.size() || !others.size()) return;
 
     scalar radius = 0;
     pointField centres(others.size());
@@ -337,8 +308,8 @@ Foam::contactPairings::nearestFace::nearestFace
     update
     (
         minus.body->mesh().time().value(),
-        contactSurface::snapshot(minus, false),
-        contactSurface::snapshot(plus, false)
+        contactSurface::snapshot(minus, false, minus.body->meanVelocity()),
+        contactSurface::snapshot(plus, false, plus.body->meanVelocity())
     );
 }
 
@@ -381,7 +352,7 @@ void Foam::contactPairings::nearestFace::update
     const scalar apart = oneBody_ ? 0 : distance(minus.box, plus.box);
 
     DynamicList<contactOverlap> overlaps(contactPairing::overlaps().size());
-    if (apart <= search)
+    if (apart <= search && minus.mayOppose(plus, std::acos(leastOpposed)))
     {
         // Only faces near the other side
         const DynamicList<contactSurface::outline> mine
@@ -423,19 +394,23 @@ void Foam::contactPairings::nearestFace::update
 
     // What both sides have in common changes nothing between them
     const vector frame(0.5*(minus.velocity + plus.velocity));
-    for (surfaceMotion* motion : {&minusMotion_, &plusMotion_})
+    const auto start = [&]
+    (
+        surfaceMotion& motion,
+        const contactSurface::snapshot& side
+    )
     {
-        const contactSide& side =
-            motion == &minusMotion_ ? minus_ : plus_;
-        motion->start
+        motion.start
         (
             time,
             allowed,
-            returnReduce(motion->speed(frame), maxOp<scalar>())
-          + 0.1*side.body->material().cp(),
+            side.speed + mag(side.velocity - frame)
+          + 0.1*side.side.body->material().cp(),
             frame
         );
-    }
+    };
+    start(minusMotion_, minus);
+    start(plusMotion_, plus);
 }
 
 
