@@ -209,12 +209,14 @@ void Foam::bodyInterface::findStates
     const solidBody& body = *side.body;
     const dualPatch& patch = body.dual().patches()[side.patchi];
     const label d = body.dual().nDim();
+    const scalar* X = body.dual().nodePosition().cdata();
+    const scalar* disp = body.state().disp.cdata();
 
     states.setSize(corners.size());
     forAll(corners, i)
     {
         const label k = corners[i], node = patch.cornerNode[k];
-        const point x(body.position(node));
+        const point x(body.expand(X + node*d) + body.expand(disp + node*d));
         const vector v(body.velocityWithoutContact(node));
         const vector area
         (
