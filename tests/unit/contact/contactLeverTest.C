@@ -11,6 +11,7 @@ Description
 
 #include "testEnvironment.H"
 #include "contactLever.H"
+#include "point.H"
 
 using namespace Foam;
 
