@@ -92,10 +92,14 @@ def main():
                 f"{on['ms']:.3g} | {search:.1f} % | {on['steps']/max(n, 1):.0f}"
                 f" | {forces:.1f} % | {off['MB']:.0f} | {on['MB']:.0f} |")
             print(lines[-1], flush=True)
+    commit = subprocess.run(["git", "describe", "--always", "--dirty"],
+                            cwd=root, capture_output=True,
+                            text=True).stdout.strip() or "no repository"
     (here/"generalContact.md").write_text(f"""# What general contact costs
 
 Written by `tests/benchmark/generalContact.py`: `surfaces all`, one core, `balanced`. *Near* are the pairs of surfaces that are looked at in a step; *search* is the
 share of finding pairs and pairings in the time of the steps, *forces* that of contact in each step. The same bodies without contact are beside it.
+Built from {commit}.
 
 | | faces | near at first | free [ms a step] | contact [ms a step] | search | steps a pairing | forces | free [MB] | contact [MB] |
 |---|---|---|---|---|---|---|---|---|---|

@@ -138,6 +138,7 @@ int main(int argc, char *argv[])
             for (const contactSide& side : contact.sides())
             {
                 side.body->prepare(runTime.value(), true);
+                side.body->findCorners(side.patchi);
             }
         }
 

@@ -551,6 +551,40 @@ Foam::tensor Foam::solidBody::deformationGradient(const label node) const
 }
 
 
+Foam::vector Foam::solidBody::currentArea
+(
+    const label node,
+    const scalar* N
+) const
+{
+    const label d = dual_.nDim();
+    const FixedList<label, 3>& dir = dual_.directions();
+
+    vector area(Zero);
+    if (!data_.finiteStrain || d == 1)
+    {
+        // In uniaxial strain the cofactor is 1
+        for (label i = 0; i < d; ++i) area[dir[i]] = N[i];
+    }
+    else if (d == 2)
+    {
+        // The in-plane cofactor is a permutation of F
+        const scalar* F = data_.state.F.cdata() + 4*node;
+        area[dir[0]] = F[3]*N[0] - F[2]*N[1];
+        area[dir[1]] = F[0]*N[1] - F[1]*N[0];
+    }
+    else
+    {
+        const scalar* H = data_.state.H.cdata() + 9*node;
+        for (label i = 0; i < 3; ++i)
+        {
+            area[i] = H[i]*N[0] + H[3 + i]*N[1] + H[6 + i]*N[2];
+        }
+    }
+    return area;
+}
+
+
 Foam::symmTensor Foam::solidBody::CauchyStress(const label node) const
 {
     // Solution directions first, then those that are left out
@@ -606,6 +640,14 @@ void Foam::solidBody::releaseMeshTables()
 }
 
 
+void Foam::solidBody::findCorners(const label patchi)
+{
+    data_.variational
+  ? variational_->corners(data_, corners_[patchi])
+  : kernel_->corners(data_, corners_[patchi]);
+}
+
+
 void Foam::solidBody::prepare
 (
     const scalar time,
@@ -646,18 +688,21 @@ void Foam::solidBody::prepare
     {
         forAll(corners_, patchi)
         {
-            if (corners_.set(patchi))
+            // In the variational scheme contact asks for the few corners that
+            // are near anything
+            if
+            (
+                corners_.set(patchi)
+             && !(data_.variational && condition(patchi).contact())
+            )
             {
-                cornerStates& c = corners_[patchi];
-                data_.variational
-              ? variational_->corners(data_, c)
-              : kernel_->corners(data_, c);
-                condition(patchi).solve(time, c);
+                findCorners(patchi);
+                condition(patchi).solve(time, corners_[patchi]);
             }
         }
     });
 
-    if (hasContact_)
+    if (hasContact_ && !data_.variational)
     {
         contact_.force = vector::zero;
         contact_.area = Zero;

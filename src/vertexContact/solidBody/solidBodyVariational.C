@@ -383,29 +383,16 @@ void Foam::solidBody::holdDissipation()
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::solidBody::predictCorners()
+void Foam::solidBody::startContact()
 {
     if (!hasContact_) return;
     const label d = dual_.nDim();
-    const scalar share = contactStep_/data_.rho;
-    contact_.force = vector::zero;
-    contact_.area = Zero;
-    contact_.gap = GREAT;
-    forAll(corners_, patchi)
+    for (const label a : contactNodes_)
     {
-        if (!corners_.set(patchi) || !condition(patchi).contact()) continue;
-        cornerStates& c = corners_[patchi];
-        c.force = vector::zero;
-        forAll(c.v, k)
-        {
-            const label a = c.geometry.cornerNode[k];
-            const scalar* rate = data_.rates.cdata() + a*data_.strideRates;
-            for (label i = 0; i < d; ++i)
-            {
-                c.v[k][dual_.directions()[i]] =
-                    data_.W[a*data_.strideW + i] + share*rate[i];
-            }
-        }
+        contact_.force[a] = vector::zero;
+        contact_.area[a] = 0;
+        contact_.gap[a] = GREAT;
+        for (label i = 0; i < d; ++i) contactForce_[a*d + i] = 0;
     }
 }
 
@@ -418,21 +405,7 @@ void Foam::solidBody::addContactForces()
     scalarField& sum = work_;
     for (const label a : contactNodes_)
     {
-        for (label i = 0; i < d; ++i) sum[a*d + i] = 0;
-    }
-    forAll(corners_, patchi)
-    {
-        if (corners_.set(patchi) && condition(patchi).contact())
-        {
-            variational_->addTractions
-            (
-                data_, dual_.patches()[patchi], corners_[patchi], sum
-            );
-        }
-    }
-    for (const label a : contactNodes_)
-    {
-        for (label i = 0; i < d; ++i) contactForce_[a*d + i] = sum[a*d + i];
+        for (label i = 0; i < d; ++i) sum[a*d + i] = contactForce_[a*d + i];
     }
     dual_.sharing().sum(sum.data(), d);
     if (symmetry_.active()) symmetry_.project(sum.data(), d);

@@ -170,7 +170,7 @@ void Foam::solidSystem::evaluate(const scalar time, const int stage)
 {
     if (integrator_.leapfrog())
     {
-        evaluateForces(time);
+        evaluateForces(time, false);
         return;
     }
     solveBoundaries(time, true, stage == 0);
@@ -183,7 +183,39 @@ void Foam::solidSystem::evaluate(const scalar time, const int stage)
 }
 
 
-void Foam::solidSystem::evaluateForces(const scalar time)
+void Foam::solidSystem::pair(const scalar time, const bool all)
+{
+    const auto start = std::chrono::steady_clock::now();
+    for (contactInterface& contact : interfaces_)
+    {
+        if (contact.moves()) contact.update(time, all);
+    }
+    ++nPairings_;
+    pairingSeconds_ += secondsSince(start);
+}
+
+
+void Foam::solidSystem::pairMoved(const scalar time)
+{
+    const auto start = std::chrono::steady_clock::now();
+    bool some = false, outdated = false;
+    for (contactInterface& contact : interfaces_)
+    {
+        if (!contact.moves()) continue;
+        some = true;
+        outdated = outdated || contact.outdated(time);
+    }
+    if (!some) return;
+    label nBad = 0;
+    for (const solidBody& body : bodies_) nBad += body.nBad();
+    const label most =
+        returnReduce(label(nBad ? 2 : outdated), maxOp<label>());
+    pairingSeconds_ += secondsSince(start);
+    if (most == 1) pair(time, false);
+}
+
+
+void Foam::solidSystem::evaluateForces(const scalar time, const bool moved)
 {
     // Contact is solved with the velocities that all other forces make
     for (solidBody& body : bodies_)
@@ -192,6 +224,9 @@ void Foam::solidSystem::evaluateForces(const scalar time)
         body.computeFluxes(energiesOn_);
         body.finishRates(time, energiesOn_);
     }
+
+    // Here: paired after this evaluation, the bodies were evaluated again
+    if (moved) pairMoved(time);
 
     // Contact is solved for the last step; the forces of the start act for half
     // of what the first one will be (leap)
@@ -202,7 +237,7 @@ void Foam::solidSystem::evaluateForces(const scalar time)
             for (solidBody& body : bodies_)
             {
                 body.setContactStep(deltaT);
-                body.predictCorners();
+                body.startContact();
             }
             solveContact(time, true);
         });
@@ -363,7 +398,7 @@ void Foam::solidSystem::leap(const scalar time)
         sinceBound_ = 0;
         boundsAnew_ = true;
     }
-    evaluate(time, 0);
+    evaluateForces(time, true);
 
     label nBad = 0;
     for (const solidBody& body : bodies_)
@@ -385,7 +420,10 @@ void Foam::solidSystem::settle(const label nBad)
         if (lost.empty()) lost = contact.lost();
         outdated =
             outdated
-         || (contact.moves() && contact.outdated(runTime_.value()));
+         || (
+                !integrator_.leapfrog() && contact.moves()
+             && contact.outdated(runTime_.value())
+            );
     }
     pairingSeconds_ += secondsSince(start);
     const vector all
@@ -566,7 +604,7 @@ void Foam::solidSystem::stopStep
     if (integrator_.leapfrog())
     {
         // Its velocities and tractions, as a run that starts from it has them
-        evaluateForces(startOfStep_);
+        evaluateForces(startOfStep_, false);
     }
 
     // The state that the run started from is there already
@@ -954,20 +992,12 @@ void Foam::solidSystem::startStep()
     }
     if (pairAgain_)
     {
-        for (contactInterface& contact : interfaces_)
-        {
-            if (contact.moves())
-            {
-                contact.update(runTime_.value(), pairAll_);
-            }
-        }
+        pair(runTime_.value(), pairAll_);
         for (solidBody& body : bodies_)
         {
             body.forgetRates();
         }
         pairAgain_ = pairAll_ = false;
-        ++nPairings_;
-        pairingSeconds_ += secondsSince(start);
     }
 
     // What a step that goes wrong has to put back

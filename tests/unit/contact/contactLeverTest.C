@@ -11,6 +11,7 @@ Description
 
 #include "testEnvironment.H"
 #include "contactLever.H"
+#include "point.H"
 
 using namespace Foam;
 
@@ -19,18 +20,64 @@ using namespace Foam;
 namespace
 {
 
-//- Stencil with weights of some point
-contactStencil stencilOf(const std::vector<scalar>& weights)
+typedef SolidVector<3> vec;
+
+vec of(const vector& a) { return vec{a.x(), a.y(), a.z()}; }
+
+vector of(const vec& a) { return vector(a[0], a[1], a[2]); }
+
+//- A lever of up to four nodes, for samples of any number
+struct lever
 {
-    contactStencil s;
-    s.size = weights.size();
-    for (label j = 0; j < s.size; ++j)
+    contactLever<scalar, 4> four;
+    contactLever<scalar, 2> two;
+    const bool planar;
+    scalar turns;
+
+    lever
+    (
+        const std::vector<point>& x,
+        const std::vector<scalar>& weights,
+        const vector& n
+    )
+    :
+        planar(x.size() <= 2)
     {
-        s.corner[j] = j;
-        s.value[j] = weights[j];
+        scalar N[4] = {0, 0, 0, 0}, present[4] = {0, 0, 0, 0};
+        vec places[4] = {of(x[0]), of(x[0]), of(x[0]), of(x[0])};
+        for (std::size_t j = 0; j < x.size(); ++j)
+        {
+            N[j] = weights[j];
+            present[j] = 1;
+            places[j] = of(x[j]);
+        }
+        turns =
+            planar
+          ? two.setFace(N, present, places, of(n))
+          : four.setFace(N, present, places, of(n));
     }
-    return s;
-}
+
+    scalar setPoint(const vector& offset)
+    {
+        return
+            planar ? two.setPoint(of(offset)) : four.setPoint(of(offset));
+    }
+
+    scalar weight(const int j) const
+    {
+        return planar ? two.weight(j) : four.weight(j);
+    }
+
+    vector velocity(const int j, const vector& v) const
+    {
+        return of(planar ? two.velocity(j, of(v)) : four.velocity(j, of(v)));
+    }
+
+    vector force(const int j, const vector& f) const
+    {
+        return of(planar ? two.force(j, of(f)) : four.force(j, of(f)));
+    }
+};
 
 struct sample
 {
@@ -67,13 +114,12 @@ TEST_CASE("A lever moves rigidly, and its forces are the transpose")
 {
     for (const sample& c : samples)
     {
-        const contactStencil s(stencilOf(c.weights));
-        contactLever lever;
-        lever.setFace(s, [&](const label j) { return c.x[j]; }, c.n);
+        const int size = c.x.size();
+        lever lever(c.x, c.weights, c.n);
         const scalar b = lever.setPoint(c.offset);
         point at(c.offset);
-        for (label j = 0; j < s.size; ++j) at += s.value[j]*c.x[j];
-        const bool planar = s.size == 2;
+        for (int j = 0; j < size; ++j) at += c.weights[j]*c.x[j];
+        const bool planar = size == 2;
         const vector spin(planar ? 0 : 0.7, planar ? 0 : -0.4, 1.3);
         const vector shift(2, -3, planar ? 0 : 1);
         const vector f(0.3, -1.1, planar ? 0 : 0.8);
@@ -83,7 +129,7 @@ TEST_CASE("A lever moves rigidly, and its forces are the transpose")
         point foot(Zero);
         scalar power = 0;
         vector any(Zero);
-        for (label j = 0; j < s.size; ++j)
+        for (int j = 0; j < size; ++j)
         {
             v += lever.velocity(j, shift + (spin ^ c.x[j]));
             sum += lever.force(j, f);
@@ -104,13 +150,8 @@ TEST_CASE("A lever moves rigidly, and its forces are the transpose")
 
 TEST_CASE("A lever on a single corner keeps its weight")
 {
-    const contactStencil s(stencilOf({1}));
-    contactLever lever;
-    const scalar turns = lever.setFace
-    (
-        s, [](const label) { return point(1, 2, 3); }, vector(0, 0, 1)
-    );
-    CHECK(turns == GREAT);
+    lever lever({point(1, 2, 3)}, {1}, vector(0, 0, 1));
+    CHECK(lever.turns == GREAT);
     CHECK(lever.setPoint(vector(0.1, 0, 0.2)) == 0.2);
     const vector f(1, 2, 3);
     CHECK(lever.velocity(0, f) == f);
@@ -120,15 +161,16 @@ TEST_CASE("A lever on a single corner keeps its weight")
 
 TEST_CASE("A lever is not longer than its face, and a fine face turns more")
 {
-    const contactStencil s(stencilOf({0.5, 0.5}));
     const auto edge = [](const scalar length)
     {
-        return [=](const label j) { return point(length*j, 0, 0); };
+        return lever
+        (
+            {point::zero, point(length, 0, 0)}, {0.5, 0.5}, vector(0, 1, 0)
+        );
     };
-    const vector n(0, 1, 0);
-    contactLever lever;
-    CHECK(lever.setFace(s, edge(1), n) == 2);
-    CHECK(lever.setFace(s, edge(0.1), n) == Approx(200));
+    CHECK(edge(1).turns == 2);
+    lever lever(edge(0.1));
+    CHECK(lever.turns == Approx(200));
 
     // Of the edge of length 0.1, a point 7 lengths away
     CHECK(lever.setPoint(vector(0.7, 0.02, 0)) == Approx(0.02));

@@ -11,6 +11,8 @@ Description
 
 #include "testEnvironment.H"
 #include "contactOverlap.H"
+#include <array>
+#include <map>
 
 using namespace Foam;
 
@@ -106,11 +108,12 @@ const vector up(0, 0, 1);
 DynamicList<contactOverlap> overlapsOf
 (
     const contactFace& a,
-    const contactFace& b
+    const contactFace& b,
+    const bool joined = false
 )
 {
     DynamicList<contactOverlap> overlaps;
-    contactOverlaps::append(a, b, up, vector::zero, 3, overlaps);
+    contactOverlaps::append(a, b, up, vector::zero, 3, joined, overlaps);
     return overlaps;
 }
 
@@ -223,6 +226,49 @@ TEST_CASE("Faces survive the transport", "[contact]")
     REQUIRE(g.X == f.X);
     REQUIRE(g.area == f.area);
     REQUIRE(g.spread == f.spread);
+}
+
+
+TEST_CASE("Joined, two corners have one overlap with the sums of its pieces")
+{
+    std::vector<point> moved(kite.rbegin(), kite.rend());
+    for (point& x : moved) x += vector(0.15, -0.1, 0.1);
+    const contactFace a(faceOf(kite, 0, up)), b(faceOf(moved, 4, -up));
+
+    // By the corners of either side: areas, and those times the weights
+    std::map<std::pair<label, label>, std::array<scalar, 18>> sums[2];
+    for (const bool joined : {false, true})
+    {
+        const DynamicList<contactOverlap> overlaps(overlapsOf(a, b, joined));
+        for (const contactOverlap& o : overlaps)
+        {
+            auto& sum =
+                sums[joined][{o.minus.corner[0], o.plus.corner[0]}];
+            scalar* s = sum.data();
+            for (const contactStencil* side : {&o.minus, &o.plus})
+            {
+                *s++ += side->area;
+                for (label j = 0; j < 4; ++j)
+                {
+                    *s++ += side->area*side->value[j];
+                    *s++ += side->area*side->flux[j];
+                }
+            }
+        }
+        if (joined) CHECK(overlaps.size() == label(sums[1].size()));
+        else CHECK(overlaps.size() > 2*label(sums[0].size()));
+    }
+    REQUIRE(sums[0].size() == sums[1].size());
+    for (const auto& pair : sums[0])
+    {
+        for (int i = 0; i < 18; ++i)
+        {
+            CHECK
+            (
+                pair.second[i] == Approx(sums[1][pair.first][i]).margin(1e-14)
+            );
+        }
+    }
 }
 
 

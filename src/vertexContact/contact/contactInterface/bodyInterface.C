@@ -8,7 +8,6 @@
 #include "solidBody.H"
 #include "surfaceSelection.H"
 #include "dictionaryCheck.H"
-#include "bitSet.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -55,21 +54,6 @@ Foam::contactSide Foam::bodyInterface::readSide
 }
 
 
-Foam::scalar Foam::bodyInterface::onMinus
-(
-    const scalar waySqr,
-    const scalar minusTurns,
-    const scalar plusTurns
-)
-{
-    const scalar lengthsSqr = waySqr*max(minusTurns, plusTurns);
-    return
-        lengthsSqr < 4 ? 0.5
-      : minusTurns > plusTurns ? 2/lengthsSqr
-      : 1 - 2/lengthsSqr;
-}
-
-
 bool Foam::bodyInterface::readTwoWay(const dictionary& dict)
 {
     const word transfer
@@ -91,26 +75,13 @@ void Foam::bodyInterface::resize()
 {
     const List<contactOverlap>& overlaps = pairing_->overlaps();
 
-    closed_.setSize(overlaps.size(), false);
-    problems_.setSize(overlaps.size());
-    near_.clear();
     if (minus_.body->variational())
     {
-        levers_.setSize(overlaps.size());
-        near_.reserve(overlaps.size());
-
-        const label n = minus_.body->corners(minus_.patchi).size();
-        minusPosition_.setSize(n);
-        bitSet overlap(n);
-        for (const contactOverlap& o : overlaps)
-        {
-            for (label j = 0; j < o.minus.size; ++j)
-            {
-                overlap.set(o.minus.corner[j]);
-            }
-        }
-        minusCorners_ = overlap.sortedToc();
+        setKernel();
+        return;
     }
+    closed_.setSize(overlaps.size(), false);
+    problems_.setSize(overlaps.size());
 
     if (twoWay_)
     {
@@ -133,6 +104,133 @@ void Foam::bodyInterface::resize()
             perMinusCovered_[o] = 1/minus[over.minus.corner[0]];
             perPlusCovered_[o] = 1/plus[over.plus.corner[0]];
         }
+    }
+}
+
+
+void Foam::bodyInterface::setKernel()
+{
+    const List<contactOverlap>& overlaps = pairing_->overlaps();
+    const solidBody& body = *minus_.body;
+
+    // Corners of the minus side that overlap anything, and which they are
+    labelList slots(body.corners(minus_.patchi).geometry.nCorners(), -1);
+    for (const contactOverlap& o : overlaps)
+    {
+        for (label j = 0; j < o.minus.size; ++j) slots[o.minus.corner[j]] = 0;
+    }
+    label n = 0;
+    for (label& slot : slots)
+    {
+        if (slot == 0) slot = n++;
+    }
+    minusCorners_.setSize(n);
+    forAll(slots, k)
+    {
+        if (slots[k] >= 0) minusCorners_[slots[k]] = k;
+    }
+    closed_.setSize(n, false);
+    if (!pairing_->active()) return;
+
+    // Of the plus side once, where it is asked for: depth, and where it began
+    const pointField& points = plus_.body->mesh().points();
+    const labelList& plusCorners = pairing_->plusCorners();
+    const labelList& plusNode =
+        plus_.body->corners(plus_.patchi).geometry.cornerNode;
+    List<FixedList<scalar, 4>> plus(plusCorners.size());
+    forAll(plus, i)
+    {
+        const label k = plusCorners[i];
+        const point& X = points[plus_.body->dual().nodePoint()[plusNode[k]]];
+        plus[i][0] = plus_.body->depth(plus_.patchi)[k];
+        for (direction c = 0; c < 3; ++c) plus[i][1 + c] = X[c];
+    }
+    pairing_->toSlots(plus);
+
+    const scalarField& depth = body.depth(minus_.patchi);
+    const scalar minusRho = body.material().rho();
+    const scalar plusRho = plus_.body->material().rho();
+    scalarField perMass(overlaps.size()), firstGap;
+    if (law().bonded()) firstGap.setSize(overlaps.size());
+    nNodes_ = 1;
+    forAll(overlaps, o)
+    {
+        const contactOverlap& over = overlaps[o];
+        scalar plusDepth = 0;
+        vector between(Zero);
+        for (label j = 0; j < over.plus.size; ++j)
+        {
+            const FixedList<scalar, 4>& c = plus[over.plus.corner[j]];
+            plusDepth += over.plus.value[j]*c[0];
+            between += over.plus.value[j]*vector(c[1], c[2], c[3]);
+        }
+        perMass[o] = contactLayer
+        (
+            contactLayer::side{over.minus(depth), minusRho},
+            contactLayer::side{plusDepth, plusRho}
+        ).perMass();
+        if (firstGap.size())
+        {
+            // The reference gap lies along the normal
+            for (label j = 0; j < over.minus.size; ++j)
+            {
+                between -= over.minus.value[j]*referencePosition
+                (
+                    over.minus.corner[j]
+                );
+            }
+            firstGap[o] = mag(between)*sign(between & referenceNormal(over));
+        }
+        const label most = max(over.minus.size, over.plus.size);
+        nNodes_ = max(nNodes_, most > 2 ? label(4) : most);
+    }
+    withNodes([&](auto N)
+    {
+        auto& kernel = std::get<overlapKernel<N.value>>(kernels_);
+        auto& levers =
+            std::get<std::vector<typename overlapKernel<N.value>::levers>>
+            (
+                levers_
+            );
+        kernel.set(overlaps, slots, perMass, firstGap);
+        levers.resize(law().sticks() ? kernel.size() : 1);
+        problems_.setSize(law().sticks() ? kernel.size()*nLanes : nLanes);
+    });
+}
+
+
+void Foam::bodyInterface::findStates
+(
+    const contactSide& side,
+    const labelList& corners,
+    List<surfaceState>& states
+)
+{
+    const solidBody& body = *side.body;
+    const dualPatch& patch = body.dual().patches()[side.patchi];
+    const label d = body.dual().nDim();
+    const scalar* X = body.dual().nodePosition().cdata();
+    const scalar* disp = body.state().disp.cdata();
+
+    states.setSize(corners.size());
+    forAll(corners, i)
+    {
+        const label k = corners[i], node = patch.cornerNode[k];
+        const point x(body.expand(X + node*d) + body.expand(disp + node*d));
+        const vector v(body.velocityWithoutContact(node));
+        const vector area
+        (
+            body.currentArea(node, patch.cornerNormal.cdata() + k*d)
+        );
+        const scalar stretch = mag(area);
+        surfaceState& s = states[i];
+        for (direction c = 0; c < 3; ++c)
+        {
+            s[c] = x[c];
+            s[3 + c] = v[c];
+            s[6 + c] = area[c]/stretch;
+        }
+        s[9] = stretch;
     }
 }
 
@@ -169,288 +267,220 @@ void Foam::bodyInterface::send()
 }
 
 
-template<class Vectors>
-Foam::scalar Foam::bodyInterface::range
-(
-    const label size,
-    const Vectors& of,
-    const vector& n
-)
+template<int nNodes>
+void Foam::bodyInterface::solveOverlaps()
 {
-    scalar least = of(0) & n, most = least;
-    for (label j = 1; j < size; ++j)
+    typedef overlapKernel<nNodes> kernelType;
+    const kernelType& kernel = std::get<kernelType>(kernels_);
+    auto& levers = std::get<std::vector<typename kernelType::levers>>(levers_);
+
+    const solidBody& body = *minus_.body;
+    const cornerStates& M = body.corners(minus_.patchi);
+    const cornerStates& P = plus_.body->corners(plus_.patchi);
+    const scalar deltaT = body.contactStep();
+    const bool bonded = law().bonded();
+    const bool sticks = law().sticks();
+    const scalar impedance = contactLayer::joint(M.zp, P.zp);
+    surfaceAnswer* toMinus = toMinus_.data();
+    surfaceAnswer* toPlus = toPlus_.data();
+
+    // Tell both corners of an overlap the gap
+    const auto tellGap = [&]
+    (
+        const typename kernelType::block& b,
+        const int l,
+        const scalar gap
+    )
     {
-        const scalar along = of(j) & n;
-        least = min(least, along);
-        most = max(most, along);
-    }
-    return most - least;
-}
-
-
-bool Foam::bodyInterface::apart
-(
-    const contactOverlap& over,
-    const cornerStates& M,
-    const vector& n,
-    const scalar gap,
-    const scalar closing,
-    const scalar time
-) const
-{
-    if (gap <= max(closing, scalar(0))*time) return false;
-
-    const FixedList<label, 4>& minus = over.minus.corner;
-    const FixedList<label, 4>& plus = over.plus.corner;
-    const auto received = [&](const label j, const label i)
-    {
-        const cornerMessage& c = sent_[plus[j]];
-        return vector(c[i], c[i + 1], c[i + 2]);
+        scalar& minus = toMinus[b.minus.slot[0][l]][answerGap];
+        scalar& plus = toPlus[b.plus.slot[0][l]][answerGap];
+        minus = min(minus, gap);
+        plus = min(plus, gap);
     };
-    const scalar left =
-        gap
-      - range
-        (
-            over.minus.size,
-            [&](const label j) { return minusPosition_[minus[j]]; }, n
-        )
-      - range
-        (
-            over.plus.size,
-            [&](const label j) { return received(j, 9); }, n
-        );
-    if (left <= max(closing, scalar(0))*time) return false;
 
-    const scalar fastest =
-        closing
-      + range
+    contactLaw::problem some[nLanes];
+    typename kernelType::place at;
+    for (label i = 0; i < kernel.size(); ++i)
+    {
+        const typename kernelType::block& b = kernel[i];
+        typename kernelType::levers& lever = levers[sticks ? i : 0];
+        kernel.find
         (
-            over.minus.size, [&](const label j) { return M.v[minus[j]]; }, n
-        )
-      + range
-        (
-            over.plus.size, [&](const label j) { return received(j, 0); }, n
+            b, minusStates_.cdata(), plusStates_.cdata(), deltaT, impedance,
+            bonded, lever, at
         );
-    return left > fastest*time;
+
+        // The problems of those that touch, and whose they are
+        int lane[nLanes];
+        label n = 0;
+        for (int l = 0; l < b.size; ++l)
+        {
+            if (sticks)
+            {
+                problems_[i*nLanes + l].result.state =
+                    acousticRiemann::status::open;
+            }
+            if (!at.near[l])
+            {
+                ++statistics_.nOpen;
+                tellGap(b, l, at.distance[l]);
+                continue;
+            }
+            contactLaw::problem& p = some[n];
+            vector normal, shift(Zero);
+            for (direction c = 0; c < 3; ++c)
+            {
+                p.n[c] = at.n[c][l];
+                p.minus.v[c] = at.minusV[c][l];
+                p.plus.v[c] = at.plusV[c][l];
+                normal[c] = at.centroidNormal[c][l];
+                if (bonded) shift[c] = at.shift[c][l];
+            }
+            const label slot = b.minus.slot[0][l];
+            if (sticks)
+            {
+                shift =
+                    acousticRiemann::tangential(minusSlide_[slot], normal);
+            }
+            p.gap = at.gap[l];
+            p.minus.zp = M.zp;
+            p.minus.zs = M.zs;
+            p.plus.zp = P.zp;
+            p.plus.zs = P.zs;
+            p.area = 0.5*(b.minus.area[l] + b.plus.area[l]);
+            contactLayer(b.perMass[l]).set
+            (
+                p, at.stretch[l], at.opposed[l], bonded, shift, deltaT
+            );
+            countClosing(p, b.depth[l]);
+            tellGap(b, l, p.gap);
+            if
+            (
+                p.gap < -lostDepth*b.depth[l] && at.opposed[l]
+             && closed_[slot]
+            )
+            {
+                lose(minus_, minusCorners_[slot], -p.gap, b.depth[l]);
+            }
+            if (p.touching)
+            {
+                lane[n++] = l;
+            }
+            else
+            {
+                ++statistics_.nOpen;
+            }
+        }
+        if (!n) continue;
+
+        UList<contactLaw::problem> touching(some, n);
+        law_->solve(touching);
+
+        typename kernelType::vectorType force;
+        bool acts[nLanes];
+        for (int l = 0; l < nLanes; ++l)
+        {
+            acts[l] = false;
+            for (int c = 0; c < 3; ++c) force[c][l] = 0;
+        }
+        for (label k = 0; k < n; ++k)
+        {
+            const contactLaw::problem& p = some[k];
+            const int l = lane[k];
+            count(p, b.width[l], b.depth[l], p.area, p.area);
+            if (p.result.state == acousticRiemann::status::open) continue;
+
+            acts[l] = true;
+            surfaceAnswer& minus = toMinus[b.minus.slot[0][l]];
+            surfaceAnswer& plus = toPlus[b.plus.slot[0][l]];
+            for (direction c = 0; c < 3; ++c)
+            {
+                const scalar f = p.area*p.result.t[c];
+                force[c][l] = f;
+                minus[c] += f;
+                plus[c] -= f;
+            }
+            const scalar state = int(p.result.state);
+            minus[answerArea] += p.area;
+            plus[answerArea] += p.area;
+            minus[answerStatus] = max(minus[answerStatus], state);
+            plus[answerStatus] = max(plus[answerStatus], state);
+            if (sticks) problems_[i*nLanes + l] = p;
+        }
+        kernel.act(b, lever, force, acts, toMinus, toPlus);
+    }
 }
 
 
 void Foam::bodyInterface::solveForces(const bool firstStage)
 {
-    solidBody& body = *minus_.body;
-    cornerStates& M = body.corners(minus_.patchi);
-    cornerStates& P = plus_.body->corners(plus_.patchi);
-    const scalarField& depth = body.depth(minus_.patchi);
-    const List<contactOverlap>& overlaps = pairing_->overlaps();
-    const scalar deltaT = body.contactStep();
-    const bool bonded = law().bonded();
-    const bool sticks = law().sticks();
-    const scalar minusRho = body.material().rho();
-    const scalar plusRho = plus_.body->material().rho();
-
-    for (const label k : minusCorners_)
+    const labelList& plusCorners = pairing_->plusCorners();
+    findStates(minus_, minusCorners_, minusStates_);
+    findStates(plus_, plusCorners, plusStates_);
+    pairing_->toSlots(plusStates_);
+    if (law().sticks())
     {
-        minusPosition_[k] = body.position(M.geometry.cornerNode[k]);
+        const labelList& node =
+            minus_.body->corners(minus_.patchi).geometry.cornerNode;
+        minusSlide_.setSize(minusCorners_.size());
+        forAll(minusCorners_, i)
+        {
+            minusSlide_[i] = minus_.body->slide(node[minusCorners_[i]]);
+        }
     }
-    answers_.setSize(pairing_->nSlots());
-    answers_ = noPlusMessage();
-    near_.clear();
+    toMinus_.setSize(minusCorners_.size());
+    toPlus_.setSize(pairing_->nSlots());
+    toMinus_ = noSurfaceAnswer();
+    toPlus_ = noSurfaceAnswer();
 
-    forAll(overlaps, o)
+    withNodes([&](auto N) { solveOverlaps<N.value>(); });
+
+    pairing_->toCorners(toPlus_, combineSurfaceAnswers(), noSurfaceAnswer());
+    tell(minus_, minusCorners_, toMinus_, firstStage);
+    tell(plus_, plusCorners, toPlus_, firstStage);
+}
+
+
+void Foam::bodyInterface::tell
+(
+    const contactSide& side,
+    const labelList& corners,
+    const UList<surfaceAnswer>& answers,
+    const bool newStatus
+)
+{
+    solidBody& body = *side.body;
+    solidBody::contactOutput& out = body.contact();
+    const labelList& cornerNode = body.corners(side.patchi).geometry.cornerNode;
+    forAll(corners, i)
     {
-        const contactOverlap& over = overlaps[o];
-
-        // The plus side at the centroid
-        vector v(Zero), nPlus(Zero), xPlus(Zero);
-        scalar plusStretch = 0, plusDepth = 0;
-        for (label j = 0; j < over.plus.size; ++j)
+        const label node = cornerNode[corners[i]];
+        const surfaceAnswer& a = answers[i];
+        out.gap[node] = min(out.gap[node], a[answerGap]);
+        if (a[answerStatus] > 0)
         {
-            const scalar N = over.plus.value[j];
-            const cornerMessage& c = sent_[over.plus.corner[j]];
-            v += N*vector(c[0], c[1], c[2]);
-            nPlus += N*vector(c[6], c[7], c[8]);
-            xPlus += N*vector(c[9], c[10], c[11]);
-            plusStretch += N*c[12];
-            plusDepth += N*c[14];
-        }
-        const vector between(xPlus - over.minus(minusPosition_));
-        vector n;
-        const bool opposed =
-            contactOverlaps::commonNormal(over.minus(M.n), nPlus, n);
-        const scalar distance = between & n;
-        const contactLayer layer
-        (
-            contactLayer::side{over.minus(depth), minusRho},
-            contactLayer::side{plusDepth, plusRho}
-        );
-        if
-        (
-            !bonded
-         && (
-                !opposed
-             || apart
-                (
-                    over, M, n, distance, (over.minus(M.v) - v) & n,
-                    layer.closingTime(M.zp, P.zp, deltaT)
-                )
-            )
-        )
-        {
-            ++statistics_.nOpen;
-            answerMessage open(noAnswer());
-            open[7] = distance;
-            setState(minus_, over.minus.corner[0], open, firstStage);
-            scalar& told = answers_[over.plus.corner[0]][7];
-            told = min(told, distance);
-            continue;
-        }
-
-        const label i = near_.size();
-        near_.append(o);
-        contactLaw::problem& p = problems_[i];
-        p.n = n;
-        p.gap = distance;
-
-        // The reference gap lies along the normal
-        vector shift(Zero);
-        if (bonded)
-        {
-            const pointField& points = body.mesh().points();
-            vector atFirst(Zero);
-            for (label j = 0; j < over.plus.size; ++j)
+            out.force[node] += vector(a[0], a[1], a[2]);
+            out.area[node] += a[answerArea];
+            if (newStatus)
             {
-                const cornerMessage& c = sent_[over.plus.corner[j]];
-                atFirst += over.plus.value[j]*vector(c[15], c[16], c[17]);
+                out.status[node] = max(out.status[node], a[answerStatus]);
             }
-            for (label j = 0; j < over.minus.size; ++j)
-            {
-                const label node =
-                    M.geometry.cornerNode[over.minus.corner[j]];
-                atFirst -=
-                    over.minus.value[j]*points[body.dual().nodePoint()[node]];
-            }
-            shift = between - p.gap*p.n;
-            p.gap -= mag(atFirst)*sign(atFirst & referenceNormal(over));
         }
-        else if (sticks)
-        {
-            shift = acousticRiemann::tangential
-            (
-                body.slide(M.geometry.cornerNode[over.minus.corner[0]]), p.n
-            );
-        }
-
-        const scalar minusStretch = over.minus(M.stretch);
-        levers& lever = levers_[i];
-        const scalar minusTurns = lever.minus.setFace
-        (
-            over.minus,
-            [&](const label j)
-            {
-                return minusPosition_[over.minus.corner[j]];
-            },
-            p.n
-        );
-        const scalar plusTurns = lever.plus.setFace
-        (
-            over.plus,
-            [&](const label j)
-            {
-                const cornerMessage& c = sent_[over.plus.corner[j]];
-                return vector(c[9], c[10], c[11]);
-            },
-            p.n
-        );
-        // Where the forces of both sides act: across the gap nearer to the side
-        // that they turn less
-        const vector along(between - distance*p.n);
-        const vector middle
-        (
-            onMinus(magSqr(along), minusTurns, plusTurns)*along
-          + plusTurns/(minusTurns + plusTurns)*distance*p.n
-        );
-        const scalar below = lever.minus.setPoint(middle);
-        const scalar above = lever.plus.setPoint(middle - between);
-        // Of the surfaces there, not of the points that were paired
-        if (!bonded) p.gap = below - above;
-
-        p.minus.v = p.plus.v = vector::zero;
-        vector nMinus(Zero);
-        nPlus = vector::zero;
-        for (label j = 0; j < over.minus.size; ++j)
-        {
-            const label k = over.minus.corner[j];
-            p.minus.v += lever.minus.velocity(j, M.v[k]);
-            nMinus += lever.minus.weight(j)*M.n[k];
-        }
-        for (label j = 0; j < over.plus.size; ++j)
-        {
-            const cornerMessage& c = sent_[over.plus.corner[j]];
-            p.plus.v += lever.plus.velocity(j, vector(c[0], c[1], c[2]));
-            nPlus += lever.plus.weight(j)*vector(c[6], c[7], c[8]);
-        }
-        if (opposed) contactOverlaps::commonNormal(nMinus, nPlus, p.n);
-        p.minus.zp = M.zp;
-        p.minus.zs = M.zs;
-        p.plus.zp = P.zp;
-        p.plus.zs = P.zs;
-        p.area = 0.5*(over.minus.area + over.plus.area);
-
-        layer.set
-        (
-            p, 0.5*(minusStretch + plusStretch), opposed, bonded, shift, deltaT
-        );
-        countClosing(p, over.depth);
-        if (opposed && p.gap < -lostDepth*over.depth && closed_[o])
-        {
-            lose(minus_, over.minus.corner[0], -p.gap, over.depth);
-        }
+        const scalar* f = a.cdata() + answerForce;
+        body.addContactForce(node, vector(f[0], f[1], f[2]));
     }
+}
 
-    solveProblems(near_.size());
 
-    forAll(near_, i)
-    {
-        const contactOverlap& over = overlaps[near_[i]];
-        const contactLaw::problem& p = problems_[i];
-        count(p, over.width, over.depth, p.area, p.area);
-
-        const answerMessage toMinus(answer(p, p.area, over.minus.area));
-        const answerMessage toPlus(plusAnswer(p, p.area, over.plus.area));
-        setState(minus_, over.minus.corner[0], toMinus, firstStage);
-        plusMessage told(noPlusMessage());
-        forAll(toPlus, k) told[k] = toPlus[k];
-        combineAnswers()(answers_[over.plus.corner[0]], told);
-        if (p.result.state == acousticRiemann::status::open)
-        {
-            continue;
-        }
-
-        // The transpose of what interpolated the velocities
-        const vector force(p.area*p.result.t);
-        for (label j = 0; j < over.minus.size; ++j)
-        {
-            M.force[over.minus.corner[j]] += levers_[i].minus.force(j, force);
-        }
-        for (label j = 0; j < over.plus.size; ++j)
-        {
-            plusMessage& f = answers_[over.plus.corner[j]];
-            const vector share(levers_[i].plus.force(j, force));
-            for (direction c = 0; c < 3; ++c) f[9 + c] -= share[c];
-        }
-    }
-
-    pairing_->toCorners(answers_, combineAnswers(), noPlusMessage());
-    const labelList& corners = pairing_->plusCorners();
-    forAll(corners, c)
-    {
-        const label k = corners[c];
-        const plusMessage& f = answers_[c];
-        answerMessage state;
-        forAll(state, i) state[i] = f[i];
-        setState(plus_, k, state, firstStage);
-        P.force[k] += vector(f[9], f[10], f[11]);
-    }
+Foam::point Foam::bodyInterface::referencePosition(const label corner) const
+{
+    const solidBody& body = *minus_.body;
+    const dualPatch& patch = body.corners(minus_.patchi).geometry;
+    return
+        body.mesh().points()
+        [
+            body.dual().nodePoint()[patch.cornerNode[corner]]
+        ];
 }
 
 
@@ -532,8 +562,28 @@ Foam::Pair<Foam::string> Foam::bodyInterface::sideNames() const
 
 void Foam::bodyInterface::update(const scalar time, const bool)
 {
-    pairing_->update(time);
+    update
+    (
+        time,
+        contactSurface::snapshot
+        (
+            minus_, false, minus_.body->meanVelocity()
+        ),
+        contactSurface::snapshot(plus_, false, plus_.body->meanVelocity())
+    );
+}
+
+
+void Foam::bodyInterface::update
+(
+    const scalar time,
+    const contactSurface::snapshot& minus,
+    const contactSurface::snapshot& plus
+)
+{
+    pairing_->update(time, minus, plus);
     resize();
+    if (!pairing_->active()) statistics_ = statistics();
 }
 
 
@@ -542,8 +592,16 @@ void Foam::bodyInterface::remember()
     const dualPatch& patch =
         minus_.body->corners(minus_.patchi).geometry;
     const scalarField& status = minus_.body->contact().status;
-    const List<contactOverlap>& overlaps = pairing_->overlaps();
+    if (minus_.body->variational())
+    {
+        forAll(minusCorners_, i)
+        {
+            closed_[i] = status[patch.cornerNode[minusCorners_[i]]] > 0.5;
+        }
+        return;
+    }
 
+    const List<contactOverlap>& overlaps = pairing_->overlaps();
     forAll(overlaps, o)
     {
         const label corner = overlaps[o].minus.corner[0];
@@ -560,12 +618,12 @@ void Foam::bodyInterface::solve(const scalar, const bool firstStage)
         return;
     }
 
-    send();
     if (minus_.body->variational())
     {
         solveForces(firstStage);
         return;
     }
+    send();
 
     cornerStates& M = minus_.body->corners(minus_.patchi);
     cornerStates& P = plus_.body->corners(plus_.patchi);
@@ -695,65 +753,142 @@ void Foam::bodyInterface::solve(const scalar, const bool firstStage)
 }
 
 
-void Foam::bodyInterface::slide(const scalar middle, const scalar deltaT)
+void Foam::bodyInterface::findSteps
+(
+    const contactSide& side,
+    const labelList& corners,
+    List<stepMessage>& steps
+)
 {
-    if (!law().sticks() || !pairing_->active()) return;
+    const solidBody& body = *side.body;
+    const labelList& cornerNode = body.corners(side.patchi).geometry.cornerNode;
+    steps.setSize(corners.size());
+    forAll(corners, i)
+    {
+        const label node = cornerNode[corners[i]];
+        const vector v(body.stepVelocity(node));
+        const vector mean(body.meanStepVelocity(node));
+        for (direction c = 0; c < 3; ++c)
+        {
+            steps[i][c] = v[c];
+            steps[i][3 + c] = mean[c];
+        }
+    }
+}
+
+
+template<int nNodes>
+void Foam::bodyInterface::slideOverlaps
+(
+    const scalar middle,
+    const scalar deltaT
+)
+{
+    typedef overlapKernel<nNodes> kernelType;
+    typedef typename kernelType::vectorType vectorType;
+    const kernelType& kernel = std::get<kernelType>(kernels_);
+    const auto& levers =
+        std::get<std::vector<typename kernelType::levers>>(levers_);
 
     solidBody& body = *minus_.body;
     const labelList& minusNode =
         body.corners(minus_.patchi).geometry.cornerNode;
-    const labelList& plusNode =
-        plus_.body->corners(plus_.patchi).geometry.cornerNode;
-    const labelList& corners = pairing_->plusCorners();
-    slid_.setSize(corners.size());
-    forAll(corners, i)
+
+    for (label i = 0; i < kernel.size(); ++i)
     {
-        const label node = plusNode[corners[i]];
-        const vector v(plus_.body->stepVelocity(node));
-        const vector mean(plus_.body->meanStepVelocity(node));
-        for (direction c = 0; c < 3; ++c)
+        const typename kernelType::block& b = kernel[i];
+        bool any = false;
+        for (int l = 0; l < b.size; ++l)
         {
-            slid_[i][c] = v[c];
-            slid_[i][3 + c] = mean[c];
+            any =
+                any
+             || problems_[i*nLanes + l].result.state
+             != acousticRiemann::status::open;
+        }
+        if (!any) continue;
+
+        // Of the plus side relative to the minus side, in the step and in the
+        // mean with the one before
+        vectorType way{lanes{}, lanes{}, lanes{}}, mean(way);
+        for (int j = 0; j < nNodes; ++j)
+        {
+            const auto of = [&]
+            (
+                const List<stepMessage>& steps,
+                const typename kernelType::blockSide& side,
+                const int from
+            )
+            {
+                vectorType v;
+                for (int c = 0; c < 3; ++c)
+                {
+                    v[c] = lanesByOne([&](const int l)
+                    {
+                        return steps[side.slot[j][l]][from + c];
+                    });
+                }
+                return v;
+            };
+            const auto& lever = levers[i];
+            way = way
+              + (
+                    lever.plus.velocity(j, of(plusSteps_, b.plus, 0))
+                  - lever.minus.velocity(j, of(minusSteps_, b.minus, 0))
+                );
+            mean = mean
+              + (
+                    lever.plus.velocity(j, of(plusSteps_, b.plus, 3))
+                  - lever.minus.velocity(j, of(minusSteps_, b.minus, 3))
+                );
+        }
+
+        for (int l = 0; l < b.size; ++l)
+        {
+            const contactLaw::problem& p = problems_[i*nLanes + l];
+            if (p.result.state == acousticRiemann::status::open) continue;
+
+            const bool stuck =
+                p.result.state == acousticRiemann::status::stick;
+            body.addSlide
+            (
+                minusNode[minusCorners_[b.minus.slot[0][l]]],
+                p.area,
+                stuck
+              ? deltaT
+               *acousticRiemann::tangential
+                (
+                    vector(way[0][l], way[1][l], way[2][l]), p.n
+                )
+              : vector::zero,
+                kept(p)
+            );
+            account_.friction +=
+                middle*p.area
+               *(
+                    acousticRiemann::tangential(p.result.t, p.n)
+                  & vector(mean[0][l], mean[1][l], mean[2][l])
+                );
         }
     }
-    pairing_->toSlots(slid_);
+}
 
-    const List<contactOverlap>& overlaps = pairing_->overlaps();
-    forAll(near_, i)
-    {
-        const contactLaw::problem& p = problems_[i];
-        if (p.result.state == acousticRiemann::status::open) continue;
 
-        const contactOverlap& over = overlaps[near_[i]];
-        const levers& lever = levers_[i];
-        vector way(Zero), mean(Zero);
-        for (label j = 0; j < over.plus.size; ++j)
-        {
-            const slideMessage& m = slid_[over.plus.corner[j]];
-            way += lever.plus.velocity(j, vector(m[0], m[1], m[2]));
-            mean += lever.plus.velocity(j, vector(m[3], m[4], m[5]));
-        }
-        for (label j = 0; j < over.minus.size; ++j)
-        {
-            const label node = minusNode[over.minus.corner[j]];
-            way -= lever.minus.velocity(j, body.stepVelocity(node));
-            mean -= lever.minus.velocity(j, body.meanStepVelocity(node));
-        }
-        const bool stuck = p.result.state == acousticRiemann::status::stick;
-        body.addSlide
-        (
-            minusNode[over.minus.corner[0]],
-            p.area,
-            stuck
-          ? deltaT*acousticRiemann::tangential(way, p.n)
-          : vector::zero,
-            kept(p)
-        );
-        account_.friction +=
-            middle*p.area
-           *(acousticRiemann::tangential(p.result.t, p.n) & mean);
-    }
+void Foam::bodyInterface::slide(const scalar middle, const scalar deltaT)
+{
+    if (!law().sticks() || !pairing_->active()) return;
+
+    findSteps(minus_, minusCorners_, minusSteps_);
+    findSteps(plus_, pairing_->plusCorners(), plusSteps_);
+    pairing_->toSlots(plusSteps_);
+    withNodes([&](auto N) { slideOverlaps<N.value>(middle, deltaT); });
+}
+
+
+void Foam::bodyInterface::readLaw(const dictionary& dict)
+{
+    // What is kept of an overlap depends on whether the law sticks
+    contactInterface::readLaw(dict);
+    resize();
 }
 
 

@@ -56,8 +56,11 @@ Foam::labelList Foam::generalInterface::candidates(const scalar time)
     forAll(surfaces_, i)
     {
         boxes[i] = motions_[i].box();
-        momentum[i] = surfaces_[i].body->linearMomentum();
-        mass[i] = surfaces_[i].body->mass();
+        // Surfaces of one body follow each other
+        const bool same = i && surfaces_[i].body == surfaces_[i - 1].body;
+        momentum[i] =
+            same ? momentum[i - 1] : surfaces_[i].body->linearMomentum();
+        mass[i] = same ? mass[i - 1] : surfaces_[i].body->mass();
     }
     boxes = everywhere(boxes, joinBox);
     momentum = everywhere(momentum, plusEqOp<vector>());
@@ -111,8 +114,9 @@ Foam::labelList Foam::generalInterface::candidates(const scalar time)
 void Foam::generalInterface::collect()
 {
     statistics_ = statistics();
-    for (const bodyInterface& part : parts_)
+    for (const label i : active_)
     {
+        const bodyInterface& part = parts_[i];
         const statistics& s = part.stageStatistics();
         statistics_.force += s.force;
         statistics_.plusForce += s.plusForce;
@@ -130,7 +134,7 @@ void Foam::generalInterface::collect()
         statistics_.nOpen += s.nOpen;
         statistics_.nStick += s.nStick;
         statistics_.nSlip += s.nSlip;
-        if (lost_.empty()) lost_ = part.lost();
+        if (lost_.empty() && part.lost().size()) lost_ = part.lost();
     }
 }
 
@@ -164,19 +168,9 @@ Foam::generalInterface::generalInterface
     motions_.setSize(surfaces_.size());
     forAll(surfaces_, i)
     {
-        const contactSide& side = surfaces_[i];
-        motions_.set(i, new surfaceMotion(side));
-        const label n = side.body->dual().patches()[side.patchi].nCorners();
-        for
-        (
-            const contactFace& f
-          : contactSurface::faces(side, globalIndex(n), false)
-        )
-        {
-            reach_ = max(reach_, max(f.radius(), f.width));
-        }
+        motions_.set(i, new surfaceMotion(surfaces_[i]));
+        reach_ = max(reach_, contactSurface::sizesOf(surfaces_[i]).reach);
     }
-    reduce(reach_, maxOp<scalar>());
 
     update(bodies[0].mesh().time().value(), true);
 }
@@ -205,9 +199,11 @@ bool Foam::generalInterface::outdated(const scalar time)
     {
         if (motion.exceeded(time)) return true;
     }
-    for (bodyInterface& part : parts_)
+    forAll(due_, i)
     {
-        if (part.bodyInterface::outdated(time)) return true;
+        if (time < due_[i]) continue;
+        if (parts_[i].outdated(time, 1)) return true;
+        due_[i] = parts_[i].pairing().due();
     }
     return false;
 }
@@ -233,18 +229,70 @@ void Foam::generalInterface::update(const scalar time, const bool all)
     labelList keys(keys_);
     if (search) keys = candidates(time);
 
+    boolList wasSummed;
+    wasSummed.setSize(keys_.size(), false);
+    for (const label i : summed_) wasSummed[i] = true;
+    DynamicList<label> active, summed;
+    due_.setSize(keys.size());
+
     PtrList<bodyInterface> parts(keys.size());
     label old = 0;
+    // Of each surface that is paired again once
+    PtrList<contactSurface::snapshot> now(surfaces_.size());
+    const auto snapshotOf = [&](const label i) -> contactSurface::snapshot&
+    {
+        if (!now.set(i))
+        {
+            // Surfaces of one body follow each other
+            const solidBody* body = surfaces_[i].body;
+            label first = i;
+            while (first && surfaces_[first - 1].body == body) --first;
+            label k = first;
+            while (k < now.size() && surfaces_[k].body == body && !now.set(k))
+            {
+                ++k;
+            }
+            const bool known =
+                k < now.size() && surfaces_[k].body == body;
+            now.set
+            (
+                i,
+                new contactSurface::snapshot
+                (
+                    surfaces_[i],
+                    true,
+                    known ? now[k].velocity : body->meanVelocity()
+                )
+            );
+        }
+        return now[i];
+    };
+
+    const label n = surfaces_.size();
+    const auto take = [&](const label i, const bool kept)
+    {
+        bodyInterface& part = parts[i];
+        due_[i] = part.pairing().due();
+        const bool is = part.pairing().active();
+        if (is) active.append(i);
+        if (is || kept) summed.append(i);
+        // Its sums have not changed in this step yet
+        if (is && !kept) part.keepSums();
+    };
     forAll(keys, i)
     {
         while (old < keys_.size() && keys_[old] < keys[i]) ++old;
         if (old < keys_.size() && keys_[old] == keys[i])
         {
             parts.set(i, parts_.set(old, nullptr).ptr());
-            if (moved[old]) parts[i].update(time, all);
+            if (moved[old])
+            {
+                contactSurface::snapshot& minus = snapshotOf(keys[i]/n);
+                parts[i].update(time, minus, snapshotOf(keys[i] % n));
+            }
+            take(i, wasSummed[old]);
             continue;
         }
-        const label n = surfaces_.size();
         parts.set
         (
             i,
@@ -255,6 +303,7 @@ void Foam::generalInterface::update(const scalar time, const bool all)
             )
         );
         if (past_.found(keys[i])) parts[i].setSums(past_[keys[i]]);
+        take(i, false);
     }
     forAll(parts_, i)
     {
@@ -265,18 +314,20 @@ void Foam::generalInterface::update(const scalar time, const bool all)
     }
     keys_.transfer(keys);
     parts_.transfer(parts);
+    active_.transfer(active);
+    summed_.transfer(summed);
 }
 
 
 void Foam::generalInterface::remember()
 {
-    for (bodyInterface& part : parts_) part.remember();
+    for (const label i : active_) parts_[i].remember();
 }
 
 
 void Foam::generalInterface::solve(const scalar time, const bool firstStage)
 {
-    for (bodyInterface& part : parts_) part.solve(time, firstStage);
+    for (const label i : active_) parts_[i].solve(time, firstStage);
     collect();
 }
 
@@ -284,14 +335,16 @@ void Foam::generalInterface::solve(const scalar time, const bool firstStage)
 void Foam::generalInterface::accumulate(const scalar weightedDeltaT)
 {
     contactInterface::accumulate(weightedDeltaT);
-    for (bodyInterface& part : parts_) part.accumulate(weightedDeltaT);
+    for (const label i : active_) parts_[i].accumulate(weightedDeltaT);
 }
 
 
 void Foam::generalInterface::slide(const scalar middle, const scalar deltaT)
 {
-    for (bodyInterface& part : parts_)
+    for (const label i : active_)
     {
+        bodyInterface& part = parts_[i];
+        if (!part.law().sticks()) continue;
         const scalar before = part.sums().friction;
         part.slide(middle, deltaT);
         account_.friction += part.sums().friction - before;
@@ -302,14 +355,15 @@ void Foam::generalInterface::slide(const scalar middle, const scalar deltaT)
 void Foam::generalInterface::keepSums()
 {
     contactInterface::keepSums();
-    for (bodyInterface& part : parts_) part.keepSums();
+    for (const label i : summed_) parts_[i].keepSums();
+    summed_ = active_;
 }
 
 
 void Foam::generalInterface::restoreSums()
 {
     contactInterface::restoreSums();
-    for (bodyInterface& part : parts_) part.restoreSums();
+    for (const label i : summed_) parts_[i].restoreSums();
 }
 
 

@@ -59,7 +59,7 @@ Foam::scalar Foam::obstacleInterface::obstacleMoved() const
 void Foam::obstacleInterface::solveForces(const bool firstStage)
 {
     solidBody& body = *side_.body;
-    cornerStates& M = body.corners(side_.patchi);
+    const cornerStates& M = body.corners(side_.patchi);
     const scalarField& depth = body.depth(side_.patchi);
     const septernion& pose = motion_.pose();
     const scalar deltaT = body.contactStep();
@@ -68,11 +68,20 @@ void Foam::obstacleInterface::solveForces(const bool firstStage)
     forAll(planes_, i)
     {
         const label k = planes_[i].corner;
+        const label node = M.geometry.cornerNode[k];
         contactLaw::problem& p = problems_[i];
-        const point x(body.position(M.geometry.cornerNode[k]));
+        const point x(body.position(node));
         const point X(pose.invTransformPoint(x));
+        const vector area
+        (
+            body.currentArea
+            (
+                node, M.geometry.cornerNormal.cdata() + k*body.dual().nDim()
+            )
+        );
+        const scalar stretch = mag(area);
 
-        p.minus.v = M.v[k];
+        p.minus.v = body.velocityWithoutContact(node);
         p.minus.zp = M.zp;
         p.minus.zs = M.zs;
         p.plus.v = motion_.velocity(X);
@@ -85,12 +94,9 @@ void Foam::obstacleInterface::solveForces(const bool firstStage)
         const contactLayer layer(layerSide(body, depth[k]), {});
         layer.set
         (
-            p, M.stretch[k], (M.n[k] & p.n) > 0.1, law().bonded(),
+            p, stretch, (area & p.n) > 0.1*stretch, law().bonded(),
             sticks
-          ? acousticRiemann::tangential
-            (
-                body.slide(M.geometry.cornerNode[k]), p.n
-            )
+          ? acousticRiemann::tangential(body.slide(node), p.n)
           : vector::zero,
             deltaT
         );
@@ -112,7 +118,10 @@ void Foam::obstacleInterface::solveForces(const bool firstStage)
         setState(side_, k, told, firstStage);
         if (p.result.state != acousticRiemann::status::open)
         {
-            M.force[k] += p.area*p.result.t;
+            body.addContactForce
+            (
+                M.geometry.cornerNode[k], p.area*p.result.t
+            );
         }
     }
 }

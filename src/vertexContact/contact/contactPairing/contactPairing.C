@@ -39,7 +39,8 @@ void Foam::contactPairing::setOverlaps(DynamicList<contactOverlap>& overlaps)
 {
     const label firstMinus = minusCorners_.toGlobal(0);
 
-    DynamicList<label> all(4*overlaps.size());
+    // Corners of the plus side that are asked for, each once: the slots
+    labelList slotOf(plusCorners_.size(), -1);
     for (contactOverlap& o : overlaps)
     {
         for (label j = 0; j < o.minus.size; ++j)
@@ -48,29 +49,24 @@ void Foam::contactPairing::setOverlaps(DynamicList<contactOverlap>& overlaps)
         }
         for (label j = 0; j < o.plus.size; ++j)
         {
-            all.append(o.plus.corner[j]);
+            slotOf[o.plus.corner[j]] = 0;
         }
     }
-
-    // Each once: the slots
-    Foam::sort(all);
-    labelList slots(all.size());
     label n = 0;
-    for (const label c : all)
+    for (label& slot : slotOf)
     {
-        if (n == 0 || slots[n - 1] != c) slots[n++] = c;
+        if (slot == 0) slot = n++;
     }
-    slots.setSize(n);
-
+    labelList slots(n);
+    forAll(slotOf, corner)
+    {
+        if (slotOf[corner] >= 0) slots[slotOf[corner]] = corner;
+    }
     for (contactOverlap& o : overlaps)
     {
         for (label j = 0; j < o.plus.size; ++j)
         {
-            o.plus.corner[j] = label
-            (
-                std::lower_bound(slots.begin(), slots.end(), o.plus.corner[j])
-              - slots.begin()
-            );
+            o.plus.corner[j] = slotOf[o.plus.corner[j]];
         }
     }
 
@@ -85,7 +81,7 @@ void Foam::contactPairing::setOverlaps(DynamicList<contactOverlap>& overlaps)
     }
 
     active_ = returnReduce(overlaps.size(), sumOp<label>()) > 0;
-    overlaps_ = overlaps;
+    overlaps_.transfer(overlaps);
 }
 
 

@@ -86,6 +86,29 @@ struct facePart
     polygon shape;
     label corner;
     scalar area;
+
+    //- Twice its area, and its box, in the plane
+    scalar doubled;
+    vector2D least;
+    vector2D most;
+
+    void measure()
+    {
+        doubled = doubleArea(shape);
+        least = most = shape.p[0];
+        for (label i = 1; i < shape.size; ++i)
+        {
+            least = min(least, shape.p[i]);
+            most = max(most, shape.p[i]);
+        }
+    }
+
+    bool misses(const facePart& other) const
+    {
+        return
+            least.x() > other.most.x() || most.x() < other.least.x()
+         || least.y() > other.most.y() || most.y() < other.least.y();
+    }
 };
 
 //- Nodes of a face in the plane across n: coordinates u, w (2D: u only)
@@ -168,7 +191,11 @@ struct projection
         // Warped faces: the areas of the dual
         scalar area = 0;
         for (label k = 0; k < size; ++k) area += face.area[k];
-        for (label i = 0; i < n; ++i) all[i].area *= area/sum;
+        for (label i = 0; i < n; ++i)
+        {
+            all[i].area *= area/sum;
+            all[i].measure();
+        }
         return n;
     }
 
@@ -266,6 +293,19 @@ contactStencil stencil
     return s;
 }
 
+//- Add what a side has in another piece of an overlap
+void join(contactStencil& a, const contactStencil& b)
+{
+    const scalar share = b.area/(a.area + b.area);
+    for (label j = 0; j < a.size; ++j)
+    {
+        a.value[j] += share*(b.value[j] - a.value[j]);
+        a.flux[j] += share*(b.flux[j] - a.flux[j]);
+    }
+    a.area += b.area;
+    a.share += b.share;
+}
+
 } // End anonymous namespace
 
 
@@ -308,6 +348,7 @@ void Foam::contactOverlaps::append
     const vector& n,
     const vector& outOfPlane,
     const label nDim,
+    const bool joined,
     DynamicList<contactOverlap>& overlaps
 )
 {
@@ -334,6 +375,7 @@ void Foam::contactOverlaps::append
     }
     const projection a(minus, u, w), b(plus, u, w);
 
+    const label first = overlaps.size();
     const auto add = [&]
     (
         const label i,
@@ -343,6 +385,20 @@ void Foam::contactOverlaps::append
         const contactStencil& sidePlus
     )
     {
+        for (label k = first; joined && k < overlaps.size(); ++k)
+        {
+            contactOverlap& o = overlaps[k];
+            if
+            (
+                o.minus.corner[0] == sideMinus.corner[0]
+             && o.plus.corner[0] == sidePlus.corner[0]
+            )
+            {
+                join(o.minus, sideMinus);
+                join(o.plus, sidePlus);
+                return;
+            }
+        }
         contactOverlap o;
         o.minus = sideMinus;
         o.plus = sidePlus;
@@ -358,11 +414,12 @@ void Foam::contactOverlaps::append
         for (label i = 0; i < nA; ++i)
         {
             const facePart& pa = partsA[i];
-            const scalar sa = doubleArea(pa.shape);
+            const scalar sa = pa.doubled;
             for (label j = 0; j < nB; ++j)
             {
                 const facePart& pb = partsB[j];
-                const scalar sb = doubleArea(pb.shape);
+                if (pa.misses(pb)) continue;
+                const scalar sb = pb.doubled;
                 const polygon common(clipped(pa.shape, pb.shape));
                 const scalar s = common.size > 2 ? doubleArea(common) : 0;
                 if (s > sliver*min(sa, sb) && min(sa, sb) > 0)

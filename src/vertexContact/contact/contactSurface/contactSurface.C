@@ -61,6 +61,24 @@ FixedList<scalar, 16> spread
     return result;
 }
 
+//- Outward unit normal of the current nodes x of a face: by the same turn from
+//  the reference ones as there, where it is N
+vector currentNormal
+(
+    const FixedList<point, 4>& x,
+    const FixedList<point, 4>& X,
+    const label size,
+    const label nDim,
+    const vector& N,
+    const vector& out
+)
+{
+    if (nDim == 1) return N/mag(N);
+    const vector A(contactSurface::areaNormal(X, size, out));
+    const vector a(contactSurface::areaNormal(x, size, out));
+    return ((A & N) < 0 ? -1 : 1)*a/max(mag(a), VSMALL);
+}
+
 //- One face of a side
 contactFace makeFace
 (
@@ -118,13 +136,91 @@ contactFace makeFace
     f.N = mean/mag(mean);
     f.width = f.size > 1 ? contactSurface::meanEdge(f.X, f.size) : f.depth[0];
 
-    // The same turn from reference to current nodes
-    const vector A(contactSurface::areaNormal(f.X, f.size, out));
-    const vector a(contactSurface::areaNormal(f.x, f.size, out));
-    f.n =
-        d == 1 ? f.N
-      : ((A & f.N) < 0 ? -1 : 1)*a/max(mag(a), VSMALL);
+    f.n = currentNormal(f.x, f.X, f.size, d, f.N, out);
     return f;
+}
+
+//- Current positions of the nodes of a body, in its solution directions
+struct positions
+{
+    const solidBody& body;
+    const label d;
+    const scalar* X;
+    const scalar* disp;
+
+    explicit positions(const contactSide& side)
+    :
+        body(*side.body),
+        d(body.dual().nDim()),
+        X(body.dual().nodePosition().cdata()),
+        disp(body.state().disp.cdata())
+    {}
+
+    scalar component(const label node, const label i) const
+    {
+        return X[node*d + i] + disp[node*d + i];
+    }
+
+    point reference(const label node) const
+    {
+        return body.expand(X + node*d);
+    }
+
+    point operator()(const label node) const
+    {
+        return reference(node) + body.expand(disp + node*d);
+    }
+};
+
+//- Call a function for the outlines of those faces of a side that are wanted
+template<class Wanted, class Function>
+void outlines
+(
+    const contactSide& side,
+    const Wanted& wanted,
+    const Function& f
+)
+{
+    const solidBody& body = *side.body;
+    const dualPatch& patch = body.dual().patches()[side.patchi];
+    const positions at(side);
+    const vector out(contactSurface::outOfPlane(side));
+
+    for (label facei = 0; facei < patch.nFaces(); ++facei)
+    {
+        if (!wanted(facei)) continue;
+
+        const label start = patch.faceStart[facei];
+        const label size = patch.faceStart[facei + 1] - start;
+        FixedList<point, 4> x(point::zero), X(point::zero);
+        vector N(Zero);
+        contactSurface::outline o;
+        o.face = facei;
+        o.box = boundBox(boundBox::invertedBox);
+        o.centre = point::zero;
+        for (label j = 0; j < size; ++j)
+        {
+            const label a = patch.cornerNode[start + j];
+            X[j] = at.reference(a);
+            x[j] = at(a);
+            N += body.expand(patch.cornerNormal.cdata() + (start + j)*at.d);
+            o.box.add(x[j]);
+            o.centre += x[j];
+        }
+        o.centre /= size;
+        scalar radiusSqr = 0;
+        for (label j = 0; j < size; ++j)
+        {
+            radiusSqr = max(radiusSqr, magSqr(x[j] - o.centre));
+        }
+        o.radius = std::sqrt(radiusSqr);
+        o.n = currentNormal(x, X, size, at.d, N, out);
+        o.width =
+            size > 1
+          ? contactSurface::meanEdge(X, size)
+          : body.depth(side.patchi)[start];
+        f(o);
+    }
 }
 
 } // End anonymous namespace
@@ -247,48 +343,184 @@ Foam::contactFaceList Foam::contactSurface::faces
 }
 
 
-Foam::contactFaceList Foam::contactSurface::facesIn
+Foam::contactSurface::sizes Foam::contactSurface::sizesOf
+(
+    const contactSide& side
+)
+{
+    const dualPatch& patch = side.body->dual().patches()[side.patchi];
+    const scalarField& depth = side.body->depth(side.patchi);
+    const positions at(side);
+    sizes all;
+    for (label facei = 0; facei < patch.nFaces(); ++facei)
+    {
+        const label start = patch.faceStart[facei];
+        const label size = patch.faceStart[facei + 1] - start;
+        FixedList<point, 4> X(point::zero);
+        point centre(Zero);
+        for (label j = 0; j < size; ++j)
+        {
+            X[j] = at.reference(patch.cornerNode[start + j]);
+            centre += X[j];
+        }
+        centre /= size;
+        const scalar width = size > 1 ? meanEdge(X, size) : depth[start];
+        all.least = min(all.least, width);
+        all.reach = max(all.reach, width);
+        for (label j = 0; j < size; ++j)
+        {
+            all.reach = max(all.reach, mag(X[j] - centre));
+        }
+    }
+    reduce(all.least, minOp<scalar>());
+    reduce(all.reach, maxOp<scalar>());
+    return all;
+}
+
+
+Foam::contactFace Foam::contactSurface::currentFace
 (
     const contactSide& side,
     const globalIndex& corners,
-    const boundBox& box
+    const label facei
 )
 {
-    const solidBody& body = *side.body;
-    const medianDual& dual = body.dual();
-    const dualPatch& patch = dual.patches()[side.patchi];
-    const label d = dual.nDim();
-    const vector out(outOfPlane(side));
-    const scalar* X = dual.nodePosition().cdata();
-    const scalar* disp = body.state().disp.cdata();
+    return makeFace(side, corners, outOfPlane(side), facei, true);
+}
 
-    DynamicList<contactFace> faces;
-    for (label facei = 0; facei < patch.nFaces(); ++facei)
+
+Foam::contactSurface::outline::outline
+(
+    const label facei,
+    const contactFace& f
+)
+:
+    face(facei),
+    box(boundBox::invertedBox),
+    centre(f.centre()),
+    radius(f.radius()),
+    n(f.n),
+    width(f.width)
+{
+    for (label i = 0; i < f.size; ++i) box.add(f.x[i]);
+}
+
+
+Foam::contactSurface::snapshot::snapshot
+(
+    const contactSide& side,
+    const bool whole,
+    const vector& velocity
+)
+:
+    side(side),
+    box(boundBox::invertedBox),
+    velocity(velocity),
+    speed(0),
+    whole(whole)
+{
+    const solidBody& body = *side.body;
+    const labelList& cornerNode = body.dual().patches()[side.patchi].cornerNode;
+    const positions x(side);
+    for (const label a : cornerNode) box.add(x(a));
+    reduce(box.min(), minOp<vector>());
+    reduce(box.max(), maxOp<vector>());
+
+    const scalar* lm = body.state().lm.cdata();
+    const scalar perRho = 1/body.material().rho();
+    scalar speedSqr = 0;
+    for (const label a : cornerNode)
     {
-        bool meets = true;
-        for (label i = 0; i < d && meets; ++i)
-        {
-            scalar least = GREAT, most = -GREAT;
-            for
-            (
-                label k = patch.faceStart[facei];
-                k < patch.faceStart[facei + 1];
-                ++k
-            )
-            {
-                const label at = patch.cornerNode[k]*d + i;
-                least = min(least, X[at] + disp[at]);
-                most = max(most, X[at] + disp[at]);
-            }
-            const direction e = dual.directions()[i];
-            meets = least <= box.max()[e] && most >= box.min()[e];
-        }
-        if (meets)
-        {
-            faces.append(makeFace(side, corners, out, facei, true));
-        }
+        speedSqr = max
+        (
+            speedSqr, magSqr(perRho*body.expand(lm + a*x.d) - velocity)
+        );
     }
-    return contactFaceList(faces);
+    speed = std::sqrt(returnReduce(speedSqr, maxOp<scalar>()));
+    if (!whole) return;
+
+    faces.reserve(body.dual().patches()[side.patchi].nFaces());
+    outlines
+    (
+        side, [](const label) { return true; },
+        [&](const outline& o) { faces.append(o); axis += o.n; }
+    );
+    reduce(axis, sumOp<vector>());
+    if (mag(axis) < SMALL) return;
+
+    axis /= mag(axis);
+    scalar least = 1;
+    for (const outline& o : faces) least = min(least, o.n & axis);
+    reduce(least, minOp<scalar>());
+    angle = std::acos(max(least, scalar(-1)));
+}
+
+
+bool Foam::contactSurface::snapshot::mayOppose
+(
+    const snapshot& other,
+    const scalar by
+) const
+{
+    const scalar between =
+        std::acos(max(min(axis & other.axis, scalar(1)), scalar(-1)));
+    return angle + other.angle + between > by - 1e-6;
+}
+
+
+Foam::DynamicList<Foam::contactSurface::outline>
+Foam::contactSurface::snapshot::in(const boundBox& box) const
+{
+    const FixedList<label, 3>& directions = side.body->dual().directions();
+    const label d = side.body->dual().nDim();
+    DynamicList<outline> found;
+    if (whole)
+    {
+        for (const outline& o : faces)
+        {
+            bool meets = true;
+            for (label i = 0; i < d; ++i)
+            {
+                const direction e = directions[i];
+                meets =
+                    meets
+                 && o.box.min()[e] <= box.max()[e]
+                 && o.box.max()[e] >= box.min()[e];
+            }
+            if (meets) found.append(o);
+        }
+        return found;
+    }
+
+    const dualPatch& patch = side.body->dual().patches()[side.patchi];
+    const positions x(side);
+    outlines
+    (
+        side,
+        [&](const label facei)
+        {
+            for (label i = 0; i < d; ++i)
+            {
+                const direction e = directions[i];
+                scalar least = GREAT, most = -GREAT;
+                for
+                (
+                    label k = patch.faceStart[facei];
+                    k < patch.faceStart[facei + 1];
+                    ++k
+                )
+                {
+                    const scalar at = x.component(patch.cornerNode[k], i);
+                    least = min(least, at);
+                    most = max(most, at);
+                }
+                if (least > box.max()[e] || most < box.min()[e]) return false;
+            }
+            return true;
+        },
+        [&](const outline& o) { found.append(o); }
+    );
+    return found;
 }
 
 

@@ -222,7 +222,8 @@ Foam::contactPairings::AMI::AMI
             {
                 contactOverlaps::append
                 (
-                    a, b, n, out, dual.nDim(), overlaps
+                    a, b, n, out, dual.nDim(), minus.body->variational(),
+                    overlaps
                 );
             }
         }

@@ -5,10 +5,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "nearestFace.H"
-#include "contactSurface.H"
 #include "solidBody.H"
 #include "dictionaryCheck.H"
-#include "pointTree.H"
+#include "pointGrid.H"
 #include "PstreamBuffers.H"
 #include "ListListOps.H"
 #include "Time.H"
@@ -37,12 +36,8 @@ using namespace Foam;
 constexpr scalar usualDistance = 0.1;
 constexpr scalar largestDistance = 0.4;
 
-boundBox boxOf(const contactFace& f)
-{
-    boundBox b(boundBox::invertedBox);
-    for (label i = 0; i < f.size; ++i) b.add(f.x[i]);
-    return b;
-}
+//- Largest product of the normals of faces that meet
+constexpr scalar leastOpposed = -0.5;
 
 boundBox grown(boundBox b, const scalar by)
 {
@@ -76,19 +71,12 @@ scalar distance(const boundBox& a, const boundBox& b)
 
 Foam::contactFaceList Foam::contactPairings::nearestFace::oppositeFaces
 (
+    const contactSurface::snapshot& plus,
     const boundBox& minusBox,
     const boundBox& near
 ) const
 {
-    contactFaceList mine
-    (
-        contactSurface::facesIn(plus_, plusCorners_, near)
-    );
-    if (!Pstream::parRun())
-    {
-        return mine;
-    }
-
+    const DynamicList<contactSurface::outline> mine(plus.in(near));
     List<boundBox> boxes(Pstream::nProcs());
     boxes[Pstream::myProcNo()] = minusBox;
     Pstream::gatherList(boxes);
@@ -100,9 +88,18 @@ Foam::contactFaceList Foam::contactPairings::nearestFace::oppositeFaces
         if (boxes[proc].min().x() > boxes[proc].max().x()) continue;
 
         DynamicList<contactFace::message> some;
-        for (const contactFace& f : mine)
+        for (const contactSurface::outline& o : mine)
         {
-            if (boxes[proc].overlaps(boxOf(f))) some.append(f.pack());
+            if (boxes[proc].overlaps(o.box))
+            {
+                some.append
+                (
+                    contactSurface::currentFace
+                    (
+                        plus_, plusCorners_, o.face
+                    ).pack()
+                );
+            }
         }
         if (some.size())
         {
@@ -137,7 +134,7 @@ bool Foam::contactPairings::nearestFace::opposed
     vector& n
 ) const
 {
-    if ((a.n & b.n) > -0.5)
+    if ((a.n & b.n) > leastOpposed)
     {
         return false;
     }
@@ -197,6 +194,87 @@ bool Foam::contactPairings::nearestFace::opposed
 }
 
 
+void Foam::contactPairings::nearestFace::pairFaces
+(
+    const UList<contactSurface::outline>& mine,
+    const UList<contactSurface::outline>& others,
+    const contactFaceList& received,
+    DynamicList<contactOverlap>& overlaps
+) const
+{
+    if (!mine.size() || !others.size()) return;
+
+    scalar radius = 0;
+    pointField centres(others.size());
+    forAll(others, i)
+    {
+        centres[i] = others[i].centre;
+        radius = max(radius, others[i].radius);
+    }
+    const pointGrid grid(centres, 2*(radius + reach_));
+
+    const vector out(contactSurface::outOfPlane(minus_));
+    const label nDim = minus_.body->dual().nDim();
+
+    // Faces of the others on this rank, as far as they are needed
+    DynamicList<contactFace> faces;
+    labelList where(received.size() ? 0 : others.size(), -1);
+
+    DynamicList<label> found;
+    for (const contactSurface::outline& a : mine)
+    {
+        const boundBox near
+        (
+            grown(a.box, radius + 0.5*(a.width + reach_))
+        );
+        found.clear();
+        grid.forEach(near, [&](const label i)
+        {
+            if
+            (
+                (a.n & others[i].n) <= leastOpposed
+             && near.contains(others[i].centre)
+            )
+            {
+                found.append(i);
+            }
+        });
+        if (found.empty()) continue;
+
+        // The order of sums must not depend on the grid
+        Foam::sort(found);
+        const contactFace face
+        (
+            contactSurface::currentFace(minus_, minusCorners_, a.face)
+        );
+        for (const label i : found)
+        {
+            if (where.size() && where[i] < 0)
+            {
+                where[i] = faces.size();
+                faces.append
+                (
+                    contactSurface::currentFace
+                    (
+                        plus_, plusCorners_, others[i].face
+                    )
+                );
+            }
+            const contactFace& b =
+                where.size() ? faces[where[i]] : received[others[i].face];
+            vector n;
+            if (opposed(face, b, n))
+            {
+                contactOverlaps::append
+                (
+                    face, b, n, out, nDim, minus_.body->variational(), overlaps
+                );
+            }
+        }
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::contactPairings::nearestFace::nearestFace
@@ -222,25 +300,17 @@ Foam::contactPairings::nearestFace::nearestFace
         dict, "updateDistance", updateDistance_, "positive and at most 0.4"
     );
 
-    scalar least = GREAT, reach = 0;
-    for (const contactSide* side : {&minus_, &plus_})
-    {
-        const globalIndex& corners =
-            side == &minus_ ? minusCorners_ : plusCorners_;
-        const contactFaceList faces
-        (
-            contactSurface::faces(*side, corners, false)
-        );
-        for (const contactFace& f : faces)
-        {
-            least = min(least, f.width);
-            reach = max(reach, max(f.radius(), f.width));
-        }
-    }
-    leastWidth_ = returnReduce(least, minOp<scalar>());
-    reach_ = returnReduce(reach, maxOp<scalar>());
+    const contactSurface::sizes a(contactSurface::sizesOf(minus_));
+    const contactSurface::sizes b(contactSurface::sizesOf(plus_));
+    leastWidth_ = min(a.least, b.least);
+    reach_ = max(a.reach, b.reach);
 
-    update(minus.body->mesh().time().value());
+    update
+    (
+        minus.body->mesh().time().value(),
+        contactSurface::snapshot(minus, false, minus.body->meanVelocity()),
+        contactSurface::snapshot(plus, false, plus.body->meanVelocity())
+    );
 }
 
 
@@ -270,86 +340,49 @@ bool Foam::contactPairings::nearestFace::outdated
 }
 
 
-void Foam::contactPairings::nearestFace::update(const scalar time)
+void Foam::contactPairings::nearestFace::update
+(
+    const scalar time,
+    const contactSurface::snapshot& minus,
+    const contactSurface::snapshot& plus
+)
 {
-    const boundBox minusBox(minusMotion_.box());
-    boundBox minusAll(minusBox), plusAll(plusMotion_.box());
-    reduce(minusAll.min(), minOp<vector>());
-    reduce(minusAll.max(), maxOp<vector>());
-    reduce(plusAll.min(), minOp<vector>());
-    reduce(plusAll.max(), maxOp<vector>());
-
     // Faces grow with the body, by less than half
     const scalar search = 2*reach_;
-    const scalar apart = oneBody_ ? 0 : distance(minusAll, plusAll);
+    const scalar apart = oneBody_ ? 0 : distance(minus.box, plus.box);
 
-    DynamicList<contactOverlap> overlaps;
-    if (apart <= search)
+    DynamicList<contactOverlap> overlaps(contactPairing::overlaps().size());
+    if (apart <= search && minus.mayOppose(plus, std::acos(leastOpposed)))
     {
         // Only faces near the other side
-        const contactFaceList mine
+        const DynamicList<contactSurface::outline> mine
         (
-            contactSurface::facesIn
-            (
-                minus_, minusCorners_, grown(plusAll, search)
-            )
+            minus.in(grown(plus.box, search))
         );
-        boundBox mineBox(boundBox::invertedBox);
-        for (const contactFace& f : mine)
+        DynamicList<contactSurface::outline> others;
+        contactFaceList received;
+        if (Pstream::parRun())
         {
-            mineBox.add(boxOf(f));
-        }
-        const contactFaceList others
-        (
-            minus_ == plus_ && !Pstream::parRun()
-          ? mine
-          : oppositeFaces
+            boundBox box(boundBox::invertedBox);
+            for (const contactSurface::outline& o : mine) box.add(o.box);
+            received = oppositeFaces
             (
-                mine.size() ? grown(mineBox, search) : mineBox,
-                grown(minusAll, search)
-            )
-        );
-
-        if (mine.size() && others.size())
-        {
-            pointField centres(others.size());
-            scalar radius = 0;
-            forAll(others, f)
+                plus,
+                mine.size() ? grown(box, search) : box,
+                grown(minus.box, search)
+            );
+            others.reserve(received.size());
+            forAll(received, f)
             {
-                centres[f] = others[f].centre();
-                radius = max(radius, others[f].radius());
-            }
-            const autoPtr<pointTree> tree(newPointTree(centres, radius));
-
-            const vector out(contactSurface::outOfPlane(minus_));
-            const label nDim = minus_.body->dual().nDim();
-            for (const contactFace& a : mine)
-            {
-                labelList found
-                (
-                    tree->findBox
-                    (
-                        treeBoundBox
-                        (
-                            grown(boxOf(a), radius + 0.5*(a.width + reach_))
-                        )
-                    )
-                );
-                // The order of sums must not depend on the tree
-                Foam::sort(found);
-                for (const label i : found)
-                {
-                    vector n;
-                    if (opposed(a, others[i], n))
-                    {
-                        contactOverlaps::append
-                        (
-                            a, others[i], n, out, nDim, overlaps
-                        );
-                    }
-                }
+                others.append(contactSurface::outline(f, received[f]));
             }
         }
+        else if (!(minus_ == plus_))
+        {
+            others = plus.in(grown(minus.box, search));
+        }
+        const bool itself = minus_ == plus_ && !Pstream::parRun();
+        pairFaces(mine, itself ? mine : others, received, overlaps);
     }
     setOverlaps(overlaps);
 
@@ -360,23 +393,24 @@ void Foam::contactPairings::nearestFace::update(const scalar time)
       : 0.4*leastWidth_;
 
     // What both sides have in common changes nothing between them
-    const vector frame
+    const vector frame(0.5*(minus.velocity + plus.velocity));
+    const auto start = [&]
     (
-        0.5*(minus_.body->meanVelocity() + plus_.body->meanVelocity())
-    );
-    for (surfaceMotion* motion : {&minusMotion_, &plusMotion_})
+        surfaceMotion& motion,
+        const contactSurface::snapshot& side
+    )
     {
-        const contactSide& side =
-            motion == &minusMotion_ ? minus_ : plus_;
-        motion->start
+        motion.start
         (
             time,
             allowed,
-            returnReduce(motion->speed(frame), maxOp<scalar>())
-          + 0.1*side.body->material().cp(),
+            side.speed + mag(side.velocity - frame)
+          + 0.1*side.side.body->material().cp(),
             frame
         );
-    }
+    };
+    start(minusMotion_, minus);
+    start(plusMotion_, plus);
 }
 
 

@@ -88,6 +88,7 @@ bool Foam::surfaceMotion::exceeded
     }
     label k = 0;
     scalar most = 0;
+    const scalar limit = sqr(share*allowed_);
     for (const label a : nodes_)
     {
         scalar moved = 0;
@@ -95,9 +96,10 @@ bool Foam::surfaceMotion::exceeded
         {
             moved += sqr(disp[a*d + i] - from_[k++] - carried[i]);
         }
+        if (moved > limit) return true;
         most = max(most, moved);
     }
-    if (most > sqr(share*allowed_)) return true;
+    if (share < 1) return false;
 
     // As at the start: a tenth of the waves' speed on top of that of now
     const scalar soon = speed(frame_) + 0.1*side_.body->material().cp();
