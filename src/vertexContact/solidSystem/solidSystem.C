@@ -411,7 +411,8 @@ void Foam::solidSystem::leap(const scalar time)
 
 void Foam::solidSystem::settle(const label nBad)
 {
-    // Outdated pairings and signals share the reduction
+    // Outdated pairings and signals share the reduction. The leapfrog has
+    // paired before it solved contact
     bool outdated = false;
     string lost;
     const auto start = std::chrono::steady_clock::now();
