@@ -145,7 +145,8 @@ def unitTests(ranks):
     command = ["vertexContactUnitTests"]
     if ranks > 1:
         command = ["mpirun", "-np", str(ranks), *command, "-parallel"]
-    text = output(command, root)
+    # In colours under mpirun
+    text = re.sub(r"\x1b\[[0-9;]*m", "", output(command, root))
     found = re.findall(r"All tests passed \((\d+) assertions? in (\d+) "
                        r"test cases?\)", text)
     if not found:
