@@ -115,6 +115,56 @@ def test_run_without_the_release(tmp_path):
     assert "no tag OpenFOAM-v2506" in output
 
 
+def fakeRelease(folder, api):
+    """Folders of a release with nothing in them that compiles."""
+    for name in ("src/OpenFOAM/a", "applications/utilities/a", "wmake/a",
+                 "etc/a", "bin/a"):
+        (folder/name).parent.mkdir(parents=True)
+        (folder/name).write_text("")
+    (folder/"META-INFO").mkdir()
+    (folder/"META-INFO/api-info").write_text(f"api={api}\npatch=0\n")
+    return folder
+
+
+@pytest.mark.parametrize("api, reason", (
+    ("2506", "no source tree of OpenFOAM in"), ("2412", "is not v2506 but v2412")))
+@pytest.mark.parametrize("way", ("folder", "address"))
+def test_run_of_a_fake_release(tmp_path, api, reason, way):
+    """A tag is fetched from a folder or an address, its sources are unpacked in
+    the cache and looked at."""
+    cache = tmp_path/"cache"
+    cache.mkdir()
+    (cache/"environment").write_text("VC_OPENFOAM='/nowhere'\n")
+    release = fakeRelease(tmp_path/"release", api)
+    for command in (["init", "-q"], ["add", "-A"],
+                    ["-c", "user.name=a", "-c", "user.email=a@b", "commit",
+                     "-q", "-m", "a"], ["tag", "OpenFOAM-v2506"]):
+        checked(["git", *command], release)
+    code, output = compatibility(
+        "-run", "-from", release if way == "folder" else release.as_uri(),
+        "v2506", VERTEXCONTACT_CACHE=str(cache))
+    assert code != 0
+    assert reason in output
+    unpacked = cache/"compatibility/v2506/OpenFOAM"
+    assert f"api={api}\n" in (unpacked/"META-INFO/api-info").read_text()
+
+
+def test_run_of_a_fake_folder(tmp_path):
+    """Sources that are not compiled are copied, not touched."""
+    cache = tmp_path/"cache"
+    cache.mkdir()
+    (cache/"environment").write_text("VC_OPENFOAM='/nowhere'\n")
+    release = fakeRelease(tmp_path/"release", "2506")
+    before = sorted(release.rglob("*"))
+    code, output = compatibility("-run", release,
+                                 VERTEXCONTACT_CACHE=str(cache))
+    assert code != 0
+    assert "no source tree of OpenFOAM in" in output
+    copied, = cache.glob("compatibility/v2506-*/OpenFOAM/src/OpenFOAM/a")
+    assert copied.is_file()
+    assert sorted(release.rglob("*")) == before
+
+
 def sceneResults():
     return {"energies": {"Time": [0, 0.1, 0.2], "total:kinetic": [8, 6, 5],
                          "total:strain": [0, 2, 2.5]},
