@@ -1,12 +1,18 @@
 """Differences between OpenFOAM's releases: in one header, and
-tests/compatibility compiles sources against the headers of a release."""
+tests/compatibility compiles sources against the headers of a release, or builds
+and runs it: of that here only what it refuses, and its comparison."""
 
+import copy
 import os
 import re
+import sys
 
 import pytest
 
-from caseTools import execute, root
+from caseTools import checked, execute, root
+
+sys.path.insert(0, str(root/"tests"/"releases"))
+import checkRelease
 
 LIBRARY = "src/vertexContact"
 HEADER = f"{LIBRARY}/include/compat.H"
@@ -66,3 +72,128 @@ def test_wrong_arguments(arguments, reason):
     code, output = compatibility(*arguments)
     assert code == 2
     assert reason in output
+
+
+# tests/compatibility -run
+
+@pytest.mark.parametrize("arguments, reason", (
+    ((), "which release?"),
+    (("v1906",), "v1906 is older than v1912"),
+    (("/nowhere",), "neither a release such as v2506 nor a folder"),
+    (("-jobs", "none", "v2506"), "-jobs wants a number"),
+    (("v2306", "v2506"), "one release at a time"),
+    (("-fast", "v2506"), "unknown argument '-fast'"),
+    (("-from",), "-from wants an address or a folder"),
+    (("-from", "/nowhere", os.environ.get("WM_PROJECT_DIR", ".")),
+     "-from is for a release")))
+def test_wrong_arguments_of_run(arguments, reason):
+    code, output = compatibility("-run", *arguments)
+    assert code == 2
+    assert reason in output
+
+
+def test_run_without_setup(tmp_path):
+    code, output = compatibility("-run", "v2506",
+                                 VERTEXCONTACT_CACHE=str(tmp_path))
+    assert code == 2
+    assert "run etc/setup first" in output
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_run_without_the_release(tmp_path):
+    """What is needed is said before it fails for want of the release."""
+    cache = tmp_path/"cache"
+    cache.mkdir()
+    (cache/"environment").write_text("VC_OPENFOAM='/nowhere'\n")
+    checked(["git", "init", "-q", "--bare", "empty"], tmp_path)
+    code, output = compatibility(
+        "-run", "-from", tmp_path/"empty", "v2506",
+        VERTEXCONTACT_CACHE=str(cache))
+    assert code == 2
+    assert re.search(r"about \d+ minutes", output)
+    assert re.search(r"\d GB in\n", output)
+    assert "no tag OpenFOAM-v2506" in output
+
+
+def fakeRelease(folder, api):
+    """Folders of a release with nothing in them that compiles."""
+    for name in ("src/OpenFOAM/a", "applications/utilities/a", "wmake/a",
+                 "etc/a", "bin/a"):
+        (folder/name).parent.mkdir(parents=True)
+        (folder/name).write_text("")
+    (folder/"META-INFO").mkdir()
+    (folder/"META-INFO/api-info").write_text(f"api={api}\npatch=0\n")
+    return folder
+
+
+@pytest.mark.parametrize("api, reason", (
+    ("2506", "no source tree of OpenFOAM in"), ("2412", "is not v2506 but v2412")))
+@pytest.mark.parametrize("way", ("folder", "address"))
+def test_run_of_a_fake_release(tmp_path, api, reason, way):
+    """A tag is fetched from a folder or an address, its sources are unpacked in
+    the cache and looked at."""
+    cache = tmp_path/"cache"
+    cache.mkdir()
+    (cache/"environment").write_text("VC_OPENFOAM='/nowhere'\n")
+    release = fakeRelease(tmp_path/"release", api)
+    for command in (["init", "-q"], ["add", "-A"],
+                    ["-c", "user.name=a", "-c", "user.email=a@b", "commit",
+                     "-q", "-m", "a"], ["tag", "OpenFOAM-v2506"]):
+        checked(["git", *command], release)
+    code, output = compatibility(
+        "-run", "-from", release if way == "folder" else release.as_uri(),
+        "v2506", VERTEXCONTACT_CACHE=str(cache))
+    assert code != 0
+    assert reason in output
+    unpacked = cache/"compatibility/v2506/OpenFOAM"
+    assert f"api={api}\n" in (unpacked/"META-INFO/api-info").read_text()
+
+
+def test_run_of_a_fake_folder(tmp_path):
+    """Sources that are not compiled are copied, not touched."""
+    cache = tmp_path/"cache"
+    cache.mkdir()
+    (cache/"environment").write_text("VC_OPENFOAM='/nowhere'\n")
+    release = fakeRelease(tmp_path/"release", "2506")
+    before = sorted(release.rglob("*"))
+    code, output = compatibility("-run", release,
+                                 VERTEXCONTACT_CACHE=str(cache))
+    assert code != 0
+    assert "no source tree of OpenFOAM in" in output
+    copied, = cache.glob("compatibility/v2506-*/OpenFOAM/src/OpenFOAM/a")
+    assert copied.is_file()
+    assert sorted(release.rglob("*")) == before
+
+
+def sceneResults():
+    return {"energies": {"Time": [0, 0.1, 0.2], "total:kinetic": [8, 6, 5],
+                         "total:strain": [0, 2, 2.5]},
+            "norms": {"bar pointD": [2, -1], "bar contactGap": [1e-9, 0]}}
+
+
+def test_comparison_of_releases():
+    """Differences are relative to the largest energy and to the field's norm,
+    that of a gap to the displacements', and too large ones fail."""
+    ours, theirs = sceneResults(), sceneResults()
+    assert checkRelease.compareScene(ours, theirs) == (0, 0)
+    ours["energies"]["total:strain"][1] += 8e-12
+    ours["norms"]["bar pointD"][1] += 4e-12
+    ours["norms"]["bar contactGap"][0] += 2e-12
+    pair = checkRelease.compareScene(ours, theirs)
+    assert pair == pytest.approx((1e-12, 2e-12), rel=1e-3)
+    assert checkRelease.verdict(*pair) == "energies 1.0e-12, fields 2.0e-12"
+    for bad in (2e-10, 0), (0, 2e-10), (float("nan"), 0), (0, float("nan")):
+        with pytest.raises(checkRelease.Failed):
+            checkRelease.verdict(*bad)
+
+
+@pytest.mark.parametrize("spoil, reason", (
+    (lambda x: [row.pop() for row in x["energies"].values()], "2 steps, not 3"),
+    (lambda x: x["energies"].pop("total:strain"), "other energies"),
+    (lambda x: x["norms"].pop("bar pointD"), "other fields")))
+def test_what_cannot_be_compared(spoil, reason):
+    theirs = sceneResults()
+    ours = copy.deepcopy(theirs)
+    spoil(ours)
+    with pytest.raises(checkRelease.Failed, match=reason):
+        checkRelease.compareScene(ours, theirs)

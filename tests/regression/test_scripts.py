@@ -9,7 +9,7 @@ import time
 
 import pytest
 
-from caseTools import checked, copyTutorials, execute
+from caseTools import checked, copyTutorials, execute, root
 from test_tutorials import TUTORIALS
 
 CASE = "twoBarImpact/similar"
@@ -156,3 +156,30 @@ def test_help(tutorials, script):
     assert re.search(r"(?i)usage: .*", output)
     done = execute([str(tutorials/script), "--nonsense"], tutorials.parent)
     assert done.returncode != 0 and "Traceback" not in done.stdout
+
+
+# Allwmake as one of OpenFOAM's modules: of objects that there are, it links
+
+@pytest.mark.parametrize("variables", (
+    {"FOAM_MODULE_LIBBIN": "{}/lib", "FOAM_MODULE_APPBIN": "{}/bin"},
+    {"FOAM_MODULE_PREFIX": "{}"}), ids=("folders", "prefix"))
+def test_module(tmp_path, variables):
+    output = checked(
+        [str(root/"Allwmake"), "-fromWmake", "-s", "libso"], tmp_path,
+        **{key: value.format(tmp_path) for key, value in variables.items()})
+    assert output.splitlines()[-1].startswith("vertexContact: OK (library, ")
+    made = {str(file.relative_to(tmp_path)) for file in tmp_path.rglob("*")
+            if file.is_file()}
+    assert made == {"lib/libvertexContact.so", "bin/vertexContactFoam",
+                    "bin/checkContact"}
+
+
+@pytest.mark.parametrize("arguments, variables, code, reason", (
+    (["-fromWmake", "libso"], {"FOAM_MODULE_PREFIX": "false"}, 0,
+     "OK (nothing compiled: FOAM_MODULE_PREFIX=false)"),
+    (["libso"], {}, 1, "FAILED: unknown argument 'libso'"),
+    ([], {"FOAM_MODULE_PREFIX": "here"}, 1, "is not an absolute path")))
+def test_module_arguments(tmp_path, arguments, variables, code, reason):
+    done = execute([str(root/"Allwmake"), *arguments], tmp_path, **variables)
+    assert done.returncode == code
+    assert reason in done.stdout.splitlines()[-1]

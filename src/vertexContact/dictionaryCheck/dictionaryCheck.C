@@ -149,25 +149,25 @@ Foam::scalar Foam::dictionaryCheck::readNumber
     }
 
     // Reads [dimensions] where present and compares them
-    const dimensionedScalar number(keyword, dims, dict);
+    const scalar number = compat::readDimensioned(dict, keyword, dims);
 
-    if (!std::isfinite(number.value()))
+    if (!std::isfinite(number))
     {
         FatalIOErrorInFunction(dict)
-            << "Keyword '" << keyword << "' is " << number.value()
+            << "Keyword '" << keyword << "' is " << number
             << ", which is not a finite number" << exit(FatalIOError);
     }
 
     // Products of such numbers still are numbers
-    if (mag(number.value()) > 1e60)
+    if (mag(number) > 1e60)
     {
         FatalIOErrorInFunction(dict)
-            << "Keyword '" << keyword << "' is " << number.value()
+            << "Keyword '" << keyword << "' is " << number
             << ", which is too large in units of metres, kilograms and seconds"
             << exit(FatalIOError);
     }
 
-    return number.value();
+    return number;
 }
 
 

@@ -158,7 +158,14 @@ const char* const inputs[] =
     "type pressure; pressure 2e5;",
     "type pressure; pressure table ((0 0) (1 5) (2 0));",
     "type fixedVelocity; velocity (0 0 0);",
-    "type fixedVelocity; velocity table ((0 (0 0 0)) (2 (2 4 6)));"
+    "type fixedVelocity; velocity table ((0 (0 0 0)) (2 (2 4 6)));",
+    // As others are given, and as newer releases write tables
+    "type traction; traction sine; tractionCoeffs"
+    "{ amplitude 1; frequency 0.3; scale (1 2 3); level (0 0 1); }",
+    "type pressure; pressure sine; pressureCoeffs"
+    "{ amplitude 1; frequency 0.3; scale 2; level 1; }",
+    "type fixedVelocity; velocity sine; velocityCoeffs"
+    "{ amplitude 1; frequency 0.3; scale (1 2 3); level (0 0 1); }"
 };
 
 } // End anonymous namespace

@@ -43,7 +43,8 @@ public:
             {
                 "velocity", "m/s", "required",
                 "vector, or any Function1 of time"
-            }
+            },
+            {"velocityCoeffs", "", "none", "coefficients of the Function1"}
         };
     }
 

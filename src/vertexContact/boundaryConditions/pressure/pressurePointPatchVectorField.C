@@ -41,7 +41,8 @@ public:
             {
                 "pressure", "Pa", "required",
                 "on the current surface, number or any Function1 of time"
-            }
+            },
+            {"pressureCoeffs", "", "none", "coefficients of the Function1"}
         };
     }
 

@@ -41,7 +41,8 @@ public:
             {
                 "traction", "Pa", "required",
                 "per reference area, vector or any Function1 of time"
-            }
+            },
+            {"tractionCoeffs", "", "none", "coefficients of the Function1"}
         };
     }
 

@@ -1,0 +1,57 @@
+"""What says who made the project and how to get it, in etc/, is in order and
+agrees with the README."""
+
+import ast
+import json
+import re
+
+from caseTools import root
+
+ETC = root/"etc"
+README = re.sub(r"\s+", " ", (root/"README.md").read_text())
+CITATION = (ETC/"CITATION.cff").read_text()
+RECIPE = (ETC/"spack/spack_repo/vertexcontact/packages/vertexcontact"
+          / "package.py")
+
+
+def test_citation():
+    """The paper and its authors are those of the README."""
+    article = CITATION.split("preferred-citation:\n", 1)[1]
+    authors = re.findall(r"given-names: (.*)\n +family-names: (.*)\n", article)
+    assert len(authors) == 5
+    assert ", ".join(map(" ".join, authors)) in README
+    title = re.search(r"title: >-\n +(.*)\n", article)[1]
+    assert f"*{title}*" in README
+    assert re.search(r"journal: (.*)\n", article)[1] in README
+    year = re.search(r"year: (\d{4})\n", article)[1]
+    assert f"{year}; and this repository" in README
+    for line in CITATION.splitlines():
+        assert re.match(r"( *(- )?[a-z-]+:( .*)?| {2,}\S.*|# .*)$", line), line
+
+
+def test_codemeta():
+    meta = json.loads((ETC/"codemeta.json").read_text())
+    licence = meta["license"].rsplit("/", 1)[1]
+    assert f"license: {licence}\n" in CITATION and licence in README
+    assert meta["referencePublication"]["name"] in README
+    assert meta["softwareRequirements"] == ["OpenFOAM (ESI) v1912 or newer"]
+    assert "v1912 and newer" in README
+
+
+def test_spack_recipe():
+    """It is Python, of the name that its folder asks for, and it finds this
+    checkout."""
+    recipe = ast.parse(RECIPE.read_text())
+    assert [node.name for node in recipe.body
+            if isinstance(node, ast.ClassDef)] == ["Vertexcontact"]
+    depth = int(re.search(r"parents\[(\d+)\]", RECIPE.read_text())[1])
+    assert RECIPE.resolve().parents[depth] == root
+
+
+def test_container():
+    """The scripts that it runs are there, and the first of the README's two
+    commands is among them."""
+    text = (ETC/"Containerfile").read_text()
+    commands = re.findall(r"\b((?:etc|tutorials|tests)/[\w/]*\w)", text)
+    assert "tutorials/twoBarImpact/similar/Allrun" in commands
+    assert [name for name in commands if not (root/name).exists()] == []
