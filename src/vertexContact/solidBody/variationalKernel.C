@@ -78,10 +78,16 @@ Foam::variationalData::variationalData
             if (smoothed) smoothing[e] += 0.5/(nDim + 1)*C*r;
         }
     }
-    // Places behind the last edge have no area, but a length
+    // Behind the last edge it is itself, without an area
     for (label e = d.dual.nEdges(); e % nLanes; ++e)
     {
-        reach[(e - e % nLanes)*nDim + e % nLanes] = 1;
+        const label last = (d.dual.nEdges() - 1) % nLanes;
+        const label first = e - e % nLanes;
+        for (label j = 0; j < nDim; ++j)
+        {
+            reach[first*nDim + j*nLanes + e % nLanes] =
+                reach[first*nDim + j*nLanes + last];
+        }
     }
     for (label a = 0; a < d.nNodes(); ++a)
     {

@@ -338,6 +338,39 @@ TEST_CASE("jumps of the positions have an energy", "[variational][serial]")
 }
 
 
+TEST_CASE("rates of the edges", "[variational][serial]")
+{
+    onAllMeshes([](scheme& s)
+    {
+        s.d.state.disp = s.random(10, 0.01);
+        s.d.state.lm = s.random(11, 2);
+        s.deform();
+        scalar closing = 0, fastest = 0;
+        for (label e = 0; e < s.dual.nEdges(); ++e)
+        {
+            const label a = s.dual.edgeNodes()[2*e];
+            const label b = s.dual.edgeNodes()[2*e + 1];
+            scalar along = 0, square = 0;
+            for (label i = 0; i < s.nDim; ++i)
+            {
+                const auto change = [&](const scalarField& u)
+                {
+                    return u[b*s.nDim + i] - u[a*s.nDim + i];
+                };
+                const scalar dx =
+                    change(s.dual.nodePosition()) + change(s.d.state.disp);
+                along += dx*change(s.d.state.lm)/s.d.rho;
+                square += dx*dx;
+            }
+            closing = max(closing, -along/square);
+            fastest = max(fastest, mag(along/square));
+        }
+        CHECK(s.x.closing == Approx(closing).epsilon(1e-10));
+        CHECK(s.x.fastest == Approx(fastest).epsilon(1e-10));
+    });
+}
+
+
 TEST_CASE("largest slope and eigenvalue", "[variational][serial]")
 {
     CHECK(largestSlope(0) == Approx(1));
