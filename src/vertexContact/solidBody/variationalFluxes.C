@@ -467,6 +467,10 @@ void variationalKernelTemplate<D, finite>::sumWaves
     const bool stretched = d.waveFactor.size();
     scalar* waves = x.waves.data();
 
+    // That of the first node, as long as it is the same
+    index node = -1;
+    row<sK> sum{};
+
     edgeBlocks block(d.dual);
     const auto begin = [&](const index a) { zeroAt<sK>(waves + a*sK); };
     for (; block.valid(); ++block)
@@ -530,12 +534,19 @@ void variationalKernelTemplate<D, finite>::sumWaves
         for (int l = 0; l < block.size(); ++l)
         {
             const index a = ends[2*l], b = ends[2*l + 1];
-            const row<sK>& w =
+            if (a != node)
+            {
+                if (node >= 0) rowAt<sK>(waves + node*sK) = sum;
+                node = a;
+                sum = rowAt<sK>(waves + a*sK);
+            }
+            const row<sK> w =
                 rowAt<sK>(reinterpret_cast<const scalar*>(&rows[l]));
-            rowAt<sK>(waves + a*sK) += w;
+            sum += w;
             rowAt<sK>(waves + b*sK) += w;
         }
     }
+    if (node >= 0) rowAt<sK>(waves + node*sK) = sum;
     block.rest(begin);
 }
 

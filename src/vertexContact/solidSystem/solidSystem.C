@@ -1037,6 +1037,11 @@ void Foam::solidSystem::startStep()
     // A fixed step needs it only where the Courant number is printed
     const dictionary& control = runTime_.controlDict();
     const bool adjusts = control.getOrDefault("adjustTimeStep", true);
+    if (!adjusts)
+    {
+        // Nobody looks at how fast edges are strained
+        sinceBound_ = GREAT;
+    }
     if
     (
         adjusts
@@ -1044,7 +1049,6 @@ void Foam::solidSystem::startStep()
      || logs(steps_ + 1, startOfStep_ + runTime_.deltaTValue())
     )
     {
-        if (!adjusts) boundsAnew_ = true;
         timeStepLimit_ = stableStep();
         checkTimeStep();
     }
