@@ -86,8 +86,24 @@ def invertCell(case):
                  r"\(11\.26 ", "(9.9 ")
 
 
+def history(name, contents):
+    """A function object."""
+    return replace("system/controlDict", r"functions\s*\{", (
+        f"functions {{ mine {{ type {name}; libs (vertexContact); "
+        f"{contents} }}"))
+
+
 # What is wrong, how it gets wrong, and what the message must name
 CASES = {
+    "frequency of a filter": (
+        history("contactForces", "filterFrequency -3;"),
+        ("controlDict", "filterFrequency", "-3", "positive")),
+    "poles of a filter": (
+        history("contactForces", "filterFrequency 3; filterPoles 4;"),
+        ("controlDict", "filterPoles", "4", "1 or 2")),
+    "poles without a filter": (
+        history("contactForces", "filterPoles 2;"),
+        ("controlDict", "filterPoles", "filterFrequency")),
     "keyword of a material": (
         edit(material, {"Young": 3}), ("mechanicalProperties", "Young")),
     "keyword of vertexCentred": (

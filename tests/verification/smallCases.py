@@ -18,6 +18,9 @@ SIDES = {"left": (0, "0 4 7 3"), "right": (0, "1 2 6 5"),
 ELASTIC = {"type": "linearElastic", "rho": 1, "E": 1, "nu": 0}
 RUBBER = {"type": "neoHookean", "rho": 1, "E": 1, "nu": 0.3}
 
+# Tests look at each step
+EACH_STEP = {"writeControl": "timeStep", "writeInterval": 1}
+
 SCHEMES = "ddt", "grad", "div", "laplacian", "interpolation", "snGrad"
 
 
@@ -207,11 +210,11 @@ class SmallCase(Case):
                  control=None, functions=(), probes=None, preset=PRESET):
         super().__init__(path)
         self.bodies = [bodies] if isinstance(bodies, Body) else list(bodies)
-        functions = {name: {"type": name, "libs": "(vertexContact)"}
+        functions = {name: {"type": name, "libs": "(vertexContact)", **EACH_STEP}
                      for name in ("solidEnergies", *functions)}
         for name, (region, point) in (probes or {}).items():
             functions[name] = {
-                "type": "pointProbes", "libs": "(vertexContact)",
+                "type": "pointProbes", "libs": "(vertexContact)", **EACH_STEP,
                 "region": region, "points": (point,),
                 "fields": "(pointU pointD sigma pressure)"}
         self.dictionary("system/controlDict", {

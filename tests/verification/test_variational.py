@@ -15,8 +15,8 @@ HARD = dict(RUBBER, nu=0.4)                 # c_p = SPEED
 def case(folder, bodies, endTime, control=None, every=None, **more):
     """A case of the default scheme."""
     functions = {name: {"type": name, "libs": "(vertexContact)",
-                        **({"writeControl": "timeStep",
-                            "writeInterval": every} if every else {})}
+                        "writeControl": "timeStep",
+                        "writeInterval": every or 1}
                  for name in ("solidEnergies", "contactForces")
                  if name == "solidEnergies" or more.get("interfaces")}
     return SmallCase(folder, bodies, endTime, control={

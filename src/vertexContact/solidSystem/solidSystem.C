@@ -864,6 +864,7 @@ Foam::solidSystem::solidSystem(Time& runTime)
     oldSlide_.setSize(bodies_.size());
     initialEnergy_.setSize(bodies_.size(), scalar(0));
     readAccounts(record);
+    functionRecords_ = record.subOrEmptyDict("functionObjects");
     leastLimit_.read(record);
     const scalar lastStep = record.getOrDefault<scalar>("lastStep", 0);
     for (solidBody& body : bodies_)

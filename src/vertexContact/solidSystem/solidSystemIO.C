@@ -539,6 +539,17 @@ bool Foam::solidSystem::writeData(Ostream& os) const
         contact.writeRecord(text);
         text<< '}' << nl;
     }
+    if (functionWriters_.size())
+    {
+        text<< "functionObjects" << nl << '{' << nl;
+        for (const word& name : functionWriters_.sortedToc())
+        {
+            text<< name << nl << '{' << nl;
+            functionWriters_[name](text);
+            text<< '}' << nl;
+        }
+        text<< '}' << nl;
+    }
 
     const int precision = os.precision(17);
     dictionary(IStringStream(text.str())()).write(os, false);

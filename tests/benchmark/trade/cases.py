@@ -89,11 +89,12 @@ class TradeCase:
 
     def functions(self):
         """Only those whose files are read here."""
-        made = {name: {"type": name, "libs": ["vertexContact"]}
+        each = {"writeControl": "timeStep", "writeInterval": 1}
+        made = {name: {"type": name, "libs": ["vertexContact"], **each}
                 for name in ("solidEnergies", "contactForces")}
         for name, point in {"probe": self.point, **self.extra}.items():
             made[name] = {
-                "type": "pointProbes", "libs": ["vertexContact"],
+                "type": "pointProbes", "libs": ["vertexContact"], **each,
                 "region": self.region, "points": [list(point)],
                 "fields": ["pointU", "pointD", "sigma"]}
         return made

@@ -548,14 +548,18 @@ Foam::List<Foam::contactSide> Foam::bodyInterface::sides() const
 }
 
 
-Foam::Pair<Foam::string> Foam::bodyInterface::sideNames() const
+Foam::Pair<Foam::string> Foam::bodyInterface::namesOf
+(
+    const contactSide& minus,
+    const contactSide& plus
+)
 {
     // A surface with itself: the part that is met has another name
     return Pair<string>
     (
-        minus_.body->name() + '.' + minus_.patchName,
-        plus_.body->name() + '.' + plus_.patchName
-      + (minus_ == plus_ ? ".opposite" : "")
+        minus.body->name() + '.' + minus.patchName,
+        plus.body->name() + '.' + plus.patchName
+      + (minus == plus ? ".opposite" : "")
     );
 }
 

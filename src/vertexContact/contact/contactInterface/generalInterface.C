@@ -193,6 +193,35 @@ Foam::generalInterface::parts() const
 }
 
 
+Foam::List<Foam::contactInterface::pairState>
+Foam::generalInterface::pairStates() const
+{
+    DynamicList<pairState> states(parts_.size());
+    for (const bodyInterface& part : parts_)
+    {
+        states.append
+        (
+            pairState
+            {
+                part.sideNames(), &part.stageStatistics(), &part.sums()
+            }
+        );
+    }
+    const label n = surfaces_.size();
+    for (const label k : past_.sortedToc())
+    {
+        if (keys_.found(k)) continue;
+        const contactSide& a = surfaces_[k/n];
+        const contactSide& b = surfaces_[k % n];
+        states.append
+        (
+            pairState{bodyInterface::namesOf(a, b), nullptr, &past_[k]}
+        );
+    }
+    return List<pairState>(states);
+}
+
+
 bool Foam::generalInterface::outdated(const scalar time)
 {
     for (const surfaceMotion& motion : motions_)

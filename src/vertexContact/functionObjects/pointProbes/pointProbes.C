@@ -187,7 +187,7 @@ Foam::functionObjects::pointProbes::pointProbes
         }
     }
 
-    write();
+    writeFirstRow();
 }
 
 
@@ -206,7 +206,7 @@ Foam::keywordList Foam::functionObjects::pointProbes::keywords()
 }
 
 
-bool Foam::functionObjects::pointProbes::write()
+bool Foam::functionObjects::pointProbes::writeRow()
 {
     forAll(fields_, f)
     {

@@ -71,13 +71,13 @@ Foam::functionObjects::solidEnergies::solidEnergies
         *momentum_ << endl;
     }
 
-    write();
+    writeFirstRow();
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-bool Foam::functionObjects::solidEnergies::write()
+bool Foam::functionObjects::solidEnergies::writeRow()
 {
     const List<solidSystem::energies> all(solids_.computeEnergies());
 

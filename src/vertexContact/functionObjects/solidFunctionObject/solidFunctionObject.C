@@ -7,6 +7,7 @@
 #include "solidFunctionObject.H"
 #include "dictionaryCheck.H"
 #include "Time.H"
+#include "timeControl.H"
 #include "OSspecific.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -43,10 +44,34 @@ Foam::solidSystem& findSolids
     return runTime.lookupObjectRef<solidSystem>("solidSystem");
 }
 
+//- Rows of a run, unless the user says when
+constexpr Foam::scalar rowsOfRun = 1000;
+
 } // End anonymous namespace
 
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::functionObjects::solidFunctionObject::passed() const
+{
+    const scalar start = runTime_.startTime().value();
+    const scalar length = runTime_.endTime().value() - start;
+    return
+        length > 0
+      ? std::floor(rowsOfRun*(runTime_.value() - start)/length + 1e-6)
+      : scalar(0);
+}
+
+
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
+
+void Foam::functionObjects::solidFunctionObject::writeFirstRow()
+{
+    writeRow();
+    written_ = passed();
+    writtenStep_ = runTime_.timeIndex();
+}
+
 
 Foam::autoPtr<Foam::OFstream>
 Foam::functionObjects::solidFunctionObject::openFile
@@ -107,7 +132,8 @@ Foam::functionObjects::solidFunctionObject::solidFunctionObject
 :
     functionObject(name),
     runTime_(runTime),
-    solids_(findSolids(runTime, dict))
+    solids_(findSolids(runTime, dict)),
+    controlled_(timeControl::entriesPresent(dict, "write"))
 {}
 
 
@@ -128,12 +154,39 @@ Foam::functionObjects::solidFunctionObject::commonKeywords()
         {"timeEnd", "s", "end", "nothing is done afterwards"},
         {"executeControl", "", "timeStep", "when it executes, as writeControl"},
         {"executeInterval", "-", "1", "of executeControl"},
-        {"writeControl", "", "timeStep", "when a row is written"},
+        {
+            "writeControl", "", "1/1000 of the run",
+            "when a row is written; timeStep: by steps"
+        },
         {"writeInterval", "-", "1", "of writeControl"},
         {"controlMode", "", "time", "of OpenFOAM's time control"},
         {"errors", "", "default", "of OpenFOAM, what an error does"},
         {"useNamePrefix", "", "no", "of OpenFOAM, without effect"}
     };
+}
+
+
+bool Foam::functionObjects::solidFunctionObject::write()
+{
+    const scalar now = passed();
+    if (!controlled_ && now == written_)
+    {
+        return true;
+    }
+    written_ = now;
+    writtenStep_ = runTime_.timeIndex();
+    return writeRow();
+}
+
+
+bool Foam::functionObjects::solidFunctionObject::end()
+{
+    if (!controlled_ && writtenStep_ != runTime_.timeIndex())
+    {
+        writtenStep_ = runTime_.timeIndex();
+        return writeRow();
+    }
+    return true;
 }
 
 
