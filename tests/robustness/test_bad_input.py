@@ -101,6 +101,21 @@ CASES = {
     "poles of a filter": (
         history("contactForces", "filterFrequency 3; filterPoles 4;"),
         ("controlDict", "filterPoles", "4", "1 or 2")),
+    "field of extremes": (
+        history("solidExtremes", "fields (sigmaQ);"),
+        ("controlDict", "fields", "sigmaQ", "sigmaEq")),
+    "component of extremes": (
+        history("solidExtremes", "fields (pointD.xx);"),
+        ("controlDict", "fields", "pointD.xx", "mag")),
+    "region of averages": (
+        history("solidAverages", "fields (pointD); region bar3;"),
+        ("controlDict", "region", "bar3", "bar1")),
+    "patch of averages": (
+        history("solidAverages", "fields (pointD); patch rihgt;"),
+        ("controlDict", "patch", "rihgt", "right")),
+    "two sets": (
+        history("solidAverages", "fields (pointD); patch left; cellZone a;"),
+        ("controlDict", "patch", "cellZone", "one of them")),
     "poles without a filter": (
         history("contactForces", "filterPoles 2;"),
         ("controlDict", "filterPoles", "filterFrequency")),

@@ -4,6 +4,7 @@ contact, largest values and averages."""
 import shutil
 
 import numpy as np
+import pytest
 
 import readResults
 from caseTools import DEFAULT, Case, checked, timeFolders
@@ -84,3 +85,86 @@ def test_restart_of_filter(tmp_path, figures):
                   abs(a["bar.left:filteredFx"][-1])/SPEED, 0.01)
         f.equal("last rows differ in", [
             key for key in a if a[key][-1] != b[key][-1]], [])
+
+
+def bending(folder, **functions):
+    """A block whose displacement and velocity are linear in the place."""
+    def linear(X):
+        return 1e-3*np.stack((X[:, 0] + 2*X[:, 1], 0*X[:, 0], X[:, 1]), axis=1)
+    block = Body(cells=(5, 4, 3), name="block", material=ELASTIC,
+                 size=(1, 2, 3), velocity=linear, displacement=linear,
+                 sides={"top": "contact"})
+    other = Body(cells=(2, 2, 2), name="other", material=ELASTIC,
+                 start=(5, 5, 5))
+    floor = {**FLOOR, "pointAndNormalDict": {
+        "point": (0, 9, 0), "normal": (0, -1, 0)}}
+    case = SmallCase(
+        folder, (block, other), 0.3, preset=DEFAULT, interfaces={
+            "roof": {"side": ("block", "top"), "obstacle": floor}},
+        control={"functions": {
+            name: function(kind, **more)
+            for name, (kind, more) in functions.items()}})
+    case.dictionary("system/block/topoSetDict", {"actions": "("
+        "{ name half; type cellSet; action new; source boxToCell; "
+        "box (-9 -9 -9) (9 1 9); }"
+        "{ name half; type cellZoneSet; action new; source setToCellZone; "
+        "set half; } "
+        "{ name some; type pointSet; action new; source boxToPoint; "
+        "box (-9 1.9 -9) (0.1 9 9); })"})
+    checked(["topoSet", "-region", "block"], case.path)
+    return case
+
+
+@pytest.mark.parametrize("ranks", (1, 2))
+def test_extremes_and_averages(tmp_path, figures, ranks):
+    """Of a linear field: values at the corners, and in the middle; of sets."""
+    every = {"fields": "(pointD.x sigmaEq contactGap)", "region": "block"}
+    case = bending(
+        tmp_path,
+        largest=("solidExtremes", {"fields": "(pointD pointU.x)",
+                                   "region": '"b.*"'}),
+        peaks=("solidExtremes", {**every, "everyStep": "yes"}),
+        steps=("solidExtremes", {**every, "writeControl": "timeStep",
+                                 "writeInterval": 1}),
+        ends=("solidExtremes", {**every, "writeControl": "onEnd",
+                                "everyStep": "yes"}),
+        whole=("solidAverages", {"fields": "(pointD sigmaEq)"}),
+        half=("solidAverages", {"fields": "(pointD.x)", "cellZone": "half"}),
+        top=("solidAverages", {"fields": "(pointD)", "region": "block",
+                               "patch": "top"}),
+        some=("solidExtremes", {"fields": "(pointD.x)", "pointSet": "some"}))
+    if ranks == 1:
+        case.run()
+    else:
+        assert case.attempt(ranks)[0] == 0
+    tables = {name: readResults.table(
+        case.path, name, "averages.dat" if name in ("whole", "half", "top")
+        else "extremes.dat")
+        for name in ("largest", "steps", "peaks", "ends", "whole", "half",
+                     "top", "some")}
+    with figures(f"extremes and averages, {ranks} ranks") as f:
+        first = {name: {key: values[0] for key, values in t.items()}
+                 for name, t in tables.items()}
+        f.within("largest |u|", first["largest"]["block:pointD.mag:max"],
+                 1e-3*np.sqrt(29), 1e-15)
+        f.equal("where", [first["largest"][f"block:pointD.mag:max:{c}"].item()
+                          for c in "XYZ"][:2], [1, 2])
+        f.within("and now", first["largest"]["block:pointD.mag:max:x"],
+                 1.005, 1e-15)
+        f.within("smallest velocity", first["largest"][
+            "block:pointU.x:min"], 0, 1e-15)
+        f.within("average", first["whole"]["block:pointD.x"], 2.5e-3, 1e-15)
+        f.within("of half of it", first["half"]["block.half:pointD.x"],
+                 1.5e-3, 1e-15)
+        f.within("of a side", first["top"]["block.top:pointD.z"], 2e-3, 1e-15)
+        f.within("smallest of a set", first["some"][
+            "block.some:pointD.x:min"], 4e-3, 1e-15)
+        f.equal("others", max(tables["whole"]["other:sigmaEq"]), 0)
+        key = "block:sigmaEq:max"
+        f.equal("largest of all steps", tables["ends"][key][-1],
+                max(tables["steps"][key][1:]))
+        f.equal("and when", tables["ends"][f"{key}:time"][-1],
+                tables["steps"]["Time"][1:][
+                    tables["steps"][key][1:].argmax()])
+        f.equal("rows hold steps in between", max(tables["peaks"][key]),
+                max(tables["steps"][key]))

@@ -345,36 +345,24 @@ void Foam::solidBody::deformationFromDisplacement()
 }
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::solidBody::write()
+template<class Use>
+void Foam::solidBody::visitFields(const Use& use) const
 {
     const conservedState& s = data_.state;
     const label d = dual_.nDim();
     const FixedList<label, 3>& dir = dual_.directions();
 
-    // Velocity, with its boundary conditions
-    {
-        vectorField& U = pointU_.primitiveFieldRef();
-        forAll(U, i)
-        {
-            const label a = dual_.pointNode()[i];
-            for (label k = 0; k < d; ++k) U[i][dir[k]] = velocity(a, k);
-        }
-        pointU_.instance() = time_.timeName();
-        pointU_.write();
-        writtenTimes::check(pointU_);
-    }
-
-    writeField<vector>
+    use
     (
+        vector::zero,
         "lm", dimDensity*dimVelocity,
         [&](const label a) { return expand(s.lm.cdata() + a*d); }
     );
     if (data_.variational && d > 1)
     {
-        writeField<vector>
+        use
         (
+            vector::zero,
             "acceleration", dimAcceleration,
             [&](const label a)
             {
@@ -382,20 +370,23 @@ void Foam::solidBody::write()
             }
         );
     }
-    writeField<vector>
+    use
     (
+        vector::zero,
         "pointD", dimLength,
         [&](const label a) { return expand(s.disp.cdata() + a*d); }
     );
-    writeField<tensor>
+    use
     (
+        tensor::zero,
         "F", dimless,
         [&](const label a) { return deformationGradient(a); }
     );
     if (s.solvesH)
     {
-        writeField<tensor>
+        use
         (
+            tensor::zero,
             "H", dimless,
             [&](const label a)
             {
@@ -426,15 +417,17 @@ void Foam::solidBody::write()
     }
     if (s.solvesJ)
     {
-        writeField<scalar>
+        use
         (
+            scalar(0),
             "J", dimless, [&](const label a) { return s.J[a]; }
         );
     }
     else if (data_.variational && data_.finiteStrain)
     {
-        writeField<scalar>
+        use
         (
+            scalar(0),
             "J", dimless,
             [&](const label a) { return det(deformationGradient(a)); }
         );
@@ -442,8 +435,9 @@ void Foam::solidBody::write()
 
     if (material_->plastic())
     {
-        writeField<symmTensor>
+        use
         (
+            symmTensor::zero,
             "CpInv", dimless,
             [&](const label a)
             {
@@ -459,32 +453,41 @@ void Foam::solidBody::write()
                 return symm(C);
             }
         );
-        writeField<scalar>
+        use
         (
+            scalar(0),
             "epsilonPEq", dimless,
             [&](const label a) { return s.epsilonPEq[a]; }
         );
     }
 
-    writeField<symmTensor>
+    use
     (
+        symmTensor::zero,
         "sigma", dimPressure,
         [&](const label a) { return CauchyStress(a); }
     );
-    writeField<scalar>
+    use
     (
+        scalar(0),
         "sigmaEq", dimPressure,
         [&](const label a)
         {
             return std::sqrt(1.5*magSqr(dev(CauchyStress(a))));
         }
     );
-    writeField<scalar>
+    use
     (
+        scalar(0),
         "pressure", dimPressure,
         [&](const label a) { return 0 - tr(CauchyStress(a))/3; }
     );
+}
 
+
+template<class Use>
+void Foam::solidBody::visitContactFields(const Use& use) const
+{
     if (hasContact_)
     {
         // Corners of other processors add to the nodes of this one
@@ -497,33 +500,150 @@ void Foam::solidBody::write()
         dual_.sharing().sum(area.data(), 1);
         dual_.sharing().min(gap.data(), 1);
 
-        writeField<scalar>
+        use
         (
+            scalar(0),
             "contactStatus", dimless,
             [&](const label a) { return contact_.status[a]; }
         );
-        writeField<vector>
+        use
         (
+            vector::zero,
             "contactTraction", dimPressure,
             [&](const label a)
             {
                 return area[a] > 0 ? force[a]/area[a] : vector(Zero);
             }
         );
-        writeField<scalar>
+        use
         (
+            scalar(0),
             "contactGap", dimLength,
             [&](const label a) { return gap[a] < 0.1*GREAT ? gap[a] : 0; }
         );
         if (contact_.slide.size())
         {
-            writeField<vector>
+            use
             (
+                vector::zero,
                 "contactSlide", dimLength,
                 [&](const label a) { return contact_.slide[a]; }
             );
         }
     }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::solidBody::write()
+{
+    // Velocity, with its boundary conditions
+    {
+        vectorField& U = pointU_.primitiveFieldRef();
+        forAll(U, i)
+        {
+            const label a = dual_.pointNode()[i];
+            for (label k = 0; k < dual_.nDim(); ++k)
+            {
+                U[i][dual_.directions()[k]] = velocity(a, k);
+            }
+        }
+        pointU_.instance() = time_.timeName();
+        pointU_.write();
+        writtenTimes::check(pointU_);
+    }
+
+    const auto one = [&]
+    (
+        const auto& zero,
+        const word& name,
+        const dimensionSet& dims,
+        const auto& valueOfNode
+    )
+    {
+        writeField<std::decay_t<decltype(zero)>>(name, dims, valueOfNode);
+    };
+    visitFields(one);
+    visitContactFields(one);
+}
+
+
+Foam::wordList Foam::solidBody::fieldNames() const
+{
+    DynamicList<word> names({word("pointU")});
+    const auto one = [&]
+    (
+        const auto& zero,
+        const word& name,
+        const dimensionSet& dims,
+        const auto& valueOfNode
+    )
+    {
+        names.append(name);
+    };
+    visitFields(one);
+    if (hasContact_)
+    {
+        names.append({"contactStatus", "contactTraction", "contactGap"});
+        if (contact_.slide.size()) names.append("contactSlide");
+    }
+    return wordList(names);
+}
+
+
+Foam::solidBody::nodalField Foam::solidBody::field(const word& name) const
+{
+    nodalField result;
+    const auto one = [&]
+    (
+        const auto& zero,
+        const word& thisName,
+        const dimensionSet& dims,
+        const auto& valueOfNode
+    )
+    {
+        typedef std::decay_t<decltype(zero)> Type;
+        if (thisName != name) return;
+        const label n = pTraits<Type>::nComponents;
+        result.nComponents = n;
+        result.dimensions.reset(dims);
+        result.values.setSize(n*dual_.nNodes());
+        for (label a = 0; a < dual_.nNodes(); ++a)
+        {
+            const Type value(valueOfNode(a));
+            for (label c = 0; c < n; ++c)
+            {
+                result.values[n*a + c] = component(value, c);
+            }
+        }
+    };
+
+    if (name == "pointU")
+    {
+        one
+        (
+            vector::zero, name, dimVelocity,
+            [&](const label a)
+            {
+                vector v(Zero);
+                for (label k = 0; k < dual_.nDim(); ++k)
+                {
+                    v[dual_.directions()[k]] = velocity(a, k);
+                }
+                return v;
+            }
+        );
+    }
+    else if (name.compare(0, 7, "contact") == 0)
+    {
+        visitContactFields(one);
+    }
+    else
+    {
+        visitFields(one);
+    }
+    return result;
 }
 
 

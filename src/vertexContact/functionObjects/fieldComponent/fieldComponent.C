@@ -1,0 +1,163 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "fieldComponent.H"
+#include "dictionaryCheck.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- Names of so many components, in their order
+wordList componentNames(const label nComponents)
+{
+    switch (nComponents)
+    {
+        case 3: return wordList({"x", "y", "z"});
+        case 6: return wordList({"xx", "xy", "xz", "yy", "yz", "zz"});
+        case 9:
+            return wordList
+            ({
+                "xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz"
+            });
+    }
+    return wordList();
+}
+
+string unitOf(const dimensionSet& dims)
+{
+    return
+        dims == dimLength ? "m"
+      : dims == dimVelocity ? "m/s"
+      : dims == dimAcceleration ? "m/s2"
+      : dims == dimPressure ? "Pa"
+      : dims == dimDensity*dimVelocity ? "kg/m2/s"
+      : dims == dimTemperature ? "K"
+      : "-";
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fieldComponent::fieldComponent
+(
+    const word& field,
+    const label component,
+    const word& componentName,
+    const dimensionSet& dimensions
+)
+:
+    field_(field),
+    component_(component),
+    componentName_(componentName),
+    unit_(unitOf(dimensions))
+{}
+
+
+Foam::List<Foam::fieldComponent> Foam::fieldComponent::read
+(
+    const dictionary& dict,
+    const word& keyword,
+    const solidBody& body,
+    const bool whole
+)
+{
+    DynamicList<fieldComponent> list;
+    for (const word& given : dict.get<wordList>(keyword))
+    {
+        const auto dot = given.find('.');
+        const word name(given.substr(0, dot), false);
+        const solidBody::nodalField values(body.field(name));
+        if (!values.nComponents)
+        {
+            FatalIOErrorInFunction(dict)
+                << "Keyword '" << keyword << "': region '" << body.name()
+                << "' has no field '" << name << "'. Its fields: "
+                << dictionaryCheck::listed(body.fieldNames()).c_str()
+                << exit(FatalIOError);
+        }
+
+        wordList names(componentNames(values.nComponents));
+        const auto add = [&](const label c, const word& component)
+        {
+            list.append
+            (
+                fieldComponent(name, c, component, values.dimensions)
+            );
+        };
+        if (dot != std::string::npos)
+        {
+            const word component(given.substr(dot + 1), false);
+            names.append("mag");
+            const label c = names.find(component);
+            if (c < 0 || values.nComponents == 1)
+            {
+                FatalIOErrorInFunction(dict)
+                    << "Keyword '" << keyword << "': '" << given
+                    << "' is no component of " << name << ". Valid: "
+                    << (
+                           values.nComponents == 1
+                         ? string(name)
+                         : dictionaryCheck::listed(names)
+                       ).c_str()
+                    << exit(FatalIOError);
+            }
+            add(c < names.size() - 1 ? c : magnitude, component);
+        }
+        else if (values.nComponents == 1)
+        {
+            add(0, word::null);
+        }
+        else if (whole)
+        {
+            add(magnitude, "mag");
+        }
+        else
+        {
+            forAll(names, c) add(c, names[c]);
+        }
+    }
+    return List<fieldComponent>(list);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::string Foam::fieldComponent::name() const
+{
+    return
+        componentName_.empty() ? string(field_)
+      : string(field_ + '.' + componentName_);
+}
+
+
+Foam::scalar Foam::fieldComponent::value
+(
+    const solidBody::nodalField& field,
+    const label node
+) const
+{
+    const label n = field.nComponents;
+    const scalar* v = field.values.cdata() + n*node;
+    if (component_ != magnitude) return v[component_];
+
+    scalar sum = 0;
+    for (label c = 0; c < n; ++c)
+    {
+        // Of a symmetric tensor, what is off the diagonal is there twice
+        const bool twice = n == 6 && (c == 1 || c == 2 || c == 4);
+        sum += (twice ? 2 : 1)*sqr(v[c]);
+    }
+    return std::sqrt(sum);
+}
+
+
+// ************************************************************************* //
