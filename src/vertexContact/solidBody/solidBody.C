@@ -15,6 +15,7 @@
 #include "slipPointPatchField.H"
 #include "solidBoundaryCondition.H"
 #include "dictionaryCheck.H"
+#include "patchRim.H"
 #include "pointPatchFields.H"
 #include "IOdictionary.H"
 
@@ -232,6 +233,11 @@ void Foam::solidBody::makeCorners()
         }
         dual_.sharing().sum(area.data(), d);
 
+        if (bc.contact() && data_.variational)
+        {
+            rim_[patchi] = patchRim::corners(mesh_, patch, d);
+        }
+
         scalarField& depth = depth_[patchi];
         depth.setSize(patch.nCorners());
         forAll(patch.cornerNode, k)
@@ -389,6 +395,7 @@ Foam::solidBody::solidBody
     ),
     corners_(mesh_.boundaryMesh().size()),
     depth_(mesh_.boundaryMesh().size()),
+    rim_(mesh_.boundaryMesh().size()),
     boundaryArea_(dual_.nNodes(), Zero),
     gravity_(dual_.nDim(), Zero),
     bodyForces_(readBodyForces(dual_, *material_)),

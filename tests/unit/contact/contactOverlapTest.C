@@ -272,4 +272,104 @@ TEST_CASE("Joined, two corners have one overlap with the sums of its pieces")
 }
 
 
+TEST_CASE("Overlaps move with the rims that bound them")
+{
+    std::vector<point> other(kite.rbegin(), kite.rend());
+    for (point& x : other) x += vector(0.15, -0.1, 0.1);
+    const std::vector<point> triangle
+    ({
+        point(-0.2, 0.3, 0.1), point(0.7, 1.3, 0.1), point(0.8, 0.2, 0.1)
+    });
+
+    // What all overlaps of two faces have in common has no other edges
+    for (const std::vector<point>& plus : {other, triangle, around})
+    {
+        const auto at = [&](const vector& way)
+        {
+            std::vector<point> moved(plus);
+            for (point& x : moved) x += way;
+            contactFace a(faceOf(kite, 0, up)), b(faceOf(moved, 4, -up));
+            a.rim = true;
+            b.rim = true;
+            return overlapsOf(a, b, true);
+        };
+        const auto area = [](const contactOverlap& o, const label)
+        {
+            return o.minus.area;
+        };
+        const auto moment = [](const contactOverlap& o, const label i)
+        {
+            scalar c = 0;
+            for (label j = 0; j < 4; ++j)
+            {
+                c += o.minus.value[j]*kite[o.minus.corner[j]][i];
+            }
+            return o.minus.area*c;
+        };
+        const auto start = at(vector::zero);
+        REQUIRE(start.size() > 2);
+        for (const vector& way : {vector(1e-6, 0, 0), vector(-3e-7, 8e-7, 0)})
+        {
+            const auto moved = at(way);
+            const auto sum = [&](const auto& all, const auto& f, const label i)
+            {
+                scalar s = 0;
+                for (const contactOverlap& o : all) s += f(o, i);
+                return s;
+            };
+            scalar areaGrows = 0;
+            vector momentGrows(Zero);
+            for (const contactOverlap& o : start)
+            {
+                const scalar grows = o.minus.area*(o.motion.growth & way);
+                areaGrows += grows;
+                for (label i = 0; i < 2; ++i)
+                {
+                    momentGrows[i] +=
+                        o.minus.area*(o.motion.drift & way)[i]
+                      + grows/o.minus.area*moment(o, i);
+                }
+            }
+            CHECK
+            (
+                sum(moved, area, 0) - sum(start, area, 0)
+             == Approx(areaGrows).epsilon(1e-4).margin(1e-12)
+            );
+            for (label i = 0; i < 2; ++i)
+            {
+                CHECK
+                (
+                    sum(moved, moment, i) - sum(start, moment, i)
+                 == Approx(momentGrows[i]).epsilon(1e-4).margin(1e-12)
+                );
+            }
+        }
+    }
+}
+
+
+TEST_CASE("Overlaps without a rim move by half, as those whose rims coincide")
+{
+    std::vector<point> other(kite.rbegin(), kite.rend());
+    for (const bool rims : {false, true})
+    {
+        if (!rims) for (point& x : other) x += vector(0.15, -0.1, 0.1);
+        contactFace a(faceOf(kite, 0, up)), b(faceOf(other, 4, -up));
+        a.rim = rims;
+        b.rim = rims;
+        const auto overlaps = overlapsOf(a, b, true);
+        REQUIRE(overlaps.size() >= 4);
+        for (const contactOverlap& o : overlaps)
+        {
+            CHECK(mag(o.motion.growth) < 1e-9);
+            CHECK(o.motion.drift.xx() == Approx(0.5));
+            CHECK(o.motion.drift.yy() == Approx(0.5));
+            CHECK(mag(o.motion.drift.xy()) < 1e-9);
+            CHECK(mag(o.motion.drift.yx()) < 1e-9);
+        }
+        if (!rims) for (point& x : other) x -= vector(0.15, -0.1, 0.1);
+    }
+}
+
+
 // ************************************************************************* //

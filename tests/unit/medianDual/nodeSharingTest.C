@@ -12,6 +12,7 @@ Description
 #include "testEnvironment.H"
 #include "dualChecks.H"
 #include "meshFactory.H"
+#include "patchRim.H"
 #include "PstreamReduceOps.H"
 
 #include <algorithm>
@@ -305,15 +306,29 @@ TEST_CASE("decomposed dual is that of the whole mesh", "[medianDual][parallel]")
         CHECK(nWrong == 0);
         CHECK(worstArea < 1e-14);
 
-        // Corners
+        // Corners, and those at the rim of a patch
         label nCorners = 0;
         label nSerialCorners = 0;
+        label nRim = 0;
+        label nSerialRim = 0;
         forAll(serial.patches(), patchi)
         {
-            nCorners += dual.patches()[patchi].nCorners();
-            nSerialCorners += serial.patches()[patchi].nCorners();
+            const dualPatch& mine = dual.patches()[patchi];
+            const dualPatch& its = serial.patches()[patchi];
+            nCorners += mine.nCorners();
+            nSerialCorners += its.nCorners();
+            for (const bool is : patchRim::corners(*part.mesh, mine, nDim))
+            {
+                nRim += is;
+            }
+            const boolList rim(patchRim::corners(*whole.mesh, its, nDim));
+            for (const bool is : rim) nSerialRim += is;
         }
         CHECK(returnReduce(nCorners, sumOp<label>()) == nSerialCorners);
+        CHECK(returnReduce(nRim, sumOp<label>()) == nSerialRim);
+
+        // Around each side, whatever its faces are split into
+        CHECK(nSerialRim == (nDim == 1 ? 0 : nDim == 2 ? 8 : 8*(6 + 5 + 4)));
     }
 }
 

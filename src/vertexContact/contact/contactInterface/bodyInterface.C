@@ -347,7 +347,7 @@ void Foam::bodyInterface::solveOverlaps()
             p.minus.zs = M.zs;
             p.plus.zp = P.zp;
             p.plus.zs = P.zs;
-            p.area = 0.5*(b.minus.area[l] + b.plus.area[l]);
+            p.area = 0.5*(b.minus.area[l] + b.plus.area[l])*at.area[l];
             contactLayer(b.perMass[l]).set
             (
                 p, at.stretch[l], at.opposed[l], bonded, shift, deltaT

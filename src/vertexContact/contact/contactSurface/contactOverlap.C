@@ -20,7 +20,24 @@ struct polygon
     label size = 0;
     FixedList<vector2D, 12> p;
 
-    void append(const vector2D& q) { p[size++] = q; }
+    //- By which the edge from there to the next point follows the plus side:
+    //  half, but for rims (overlapMotion)
+    FixedList<scalar, 12> follows;
+
+    void append(const vector2D& q, const scalar share = 0.5)
+    {
+        p[size] = q;
+        follows[size++] = share;
+    }
+
+    void turnAround()
+    {
+        for (label i = 1; i < size - i; ++i) Swap(p[i], p[size - i]);
+        for (label i = 0; i < size - 1 - i; ++i)
+        {
+            Swap(follows[i], follows[size - 1 - i]);
+        }
+    }
 };
 
 scalar cross(const vector2D& a, const vector2D& b)
@@ -52,32 +69,113 @@ vector2D centroid(const polygon& g)
     return moment/sum;
 }
 
+//- Of edges of both sides on one line: a rim counts, a cut does not
+scalar together(const scalar a, const scalar b)
+{
+    return a + b - 0.5;
+}
+
 //- Sutherland-Hodgman: the part of a polygon inside a convex one, which turns
-//  to the left
-polygon clipped(polygon subject, const polygon& window)
+//  to the left.
+//  \param onLine  what is no further off an edge, by its length, is on it
+polygon clipped(polygon subject, const polygon& window, const scalar onLine)
 {
     for (label e = 0; e < window.size && subject.size > 2; ++e)
     {
         const vector2D from(window.p[e]);
         const vector2D along(window.p[(e + 1) % window.size] - from);
+        const scalar onIt = onLine*magSqr(along);
+        const auto side = [&](const vector2D& at)
+        {
+            const scalar s = cross(along, at - from);
+            return mag(s) < onIt ? 0 : s;
+        };
 
         polygon rest;
         for (label i = 0; i < subject.size; ++i)
         {
             const vector2D a(subject.p[i]);
             const vector2D b(subject.p[(i + 1) % subject.size]);
-            const scalar sa = cross(along, a - from);
-            const scalar sb = cross(along, b - from);
-            if (sa >= 0) rest.append(a);
+            const scalar sa = side(a), sb = side(b);
+            const scalar edge = window.follows[e];
+            const scalar share =
+                sa == 0 && sb == 0
+              ? together(subject.follows[i], edge) : subject.follows[i];
+            if (sa >= 0) rest.append(a, sa == 0 && sb < 0 ? edge : share);
             if ((sa > 0 && sb < 0) || (sa < 0 && sb > 0))
             {
-                rest.append(a + sa/(sa - sb)*(b - a));
+                rest.append(a + sa/(sa - sb)*(b - a), sb < 0 ? edge : share);
             }
         }
         subject = rest;
     }
     return subject;
 }
+
+//- Sums over the pieces of an overlap, of which overlapMotion follows: area and
+//  its first moment, and how fast both grow with the way of the plus side
+struct movingArea
+{
+    scalar area = 0;
+    vector2D moment = vector2D::zero;
+    vector2D growth = vector2D::zero;
+    FixedList<vector2D, 2> momentGrowth =
+        FixedList<vector2D, 2>(vector2D::zero);
+
+    //- An edge, by its middle, and length times outer normal, as far as it
+    //  follows
+    void addEdge(const vector2D& middle, const vector2D& normal)
+    {
+        growth += normal;
+        momentGrowth[0] += middle.x()*normal;
+        momentGrowth[1] += middle.y()*normal;
+    }
+
+    //- \param twice   its area
+    //  \param at      its centroid
+    //  \param origin  of the moments
+    void addPiece
+    (
+        const polygon& g,
+        const scalar twice,
+        const vector2D& at,
+        const vector2D& origin
+    )
+    {
+        area += 0.5*twice;
+        moment += 0.5*twice*(at - origin);
+        for (label i = 0; i < g.size; ++i)
+        {
+            const vector2D& a = g.p[i];
+            const vector2D& b = g.p[(i + 1) % g.size];
+            const vector2D d(g.follows[i]*(b - a));
+            addEdge(0.5*(a + b) - origin, vector2D(d.y(), -d.x()));
+        }
+    }
+
+    overlapMotion motion(const vector& u, const vector& w) const
+    {
+        const vector2D c(moment/area);
+        const vector2D g(growth/area);
+        const vector2D cu(momentGrowth[0]/area - c.x()*g);
+        const vector2D cw(momentGrowth[1]/area - c.y()*g);
+        overlapMotion m;
+        m.growth = g.x()*u + g.y()*w;
+        if (w == vector::zero)
+        {
+            // There is one direction only
+            m.drift = cu.x()*tensor::I;
+            return m;
+        }
+        m.drift = u*(cu.x()*u + cu.y()*w) + w*(cw.x()*u + cw.y()*w);
+
+        // No further than the side that moves: slivers in several pieces
+        const scalar most = std::sqrt(scalar(2));
+        const scalar size = mag(m.drift);
+        if (size > most) m.drift *= most/size;
+        return m;
+    }
+};
 
 //- Part of a corner in the plane across n, turned to the left, and its
 //  reference area
@@ -132,8 +230,9 @@ struct projection
         }
     }
 
-    //- Parts of all corners of a face in 3D; returns their number
-    label parts(FixedList<facePart, 8>& all) const
+    //- Parts of all corners of a face in 3D; returns their number.
+    //  \param follows  share by which its rim follows the plus side
+    label parts(FixedList<facePart, 8>& all, const scalar follows) const
     {
         const FixedList<point, 4>& X = face.X;
         label n = 0;
@@ -148,24 +247,26 @@ struct projection
             const point& reference
         )
         {
+            const auto edgeWith = [&](const label other)
+            {
+                const label from = other == (k + 1) % size ? k : other;
+                return face.rim[from] ? follows : scalar(0.5);
+            };
             facePart& p = all[n++];
             p.corner = k;
             p.shape.size = 0;
-            p.shape.append(x[k]);
+            p.shape.append(x[k], edgeWith(a));
             p.shape.append(0.5*(x[k] + x[a]));
             p.shape.append(middle);
             vector diagonal(0.5*(X[k] + X[a]) - X[k]);
             if (b >= 0)
             {
-                p.shape.append(0.5*(x[k] + x[b]));
+                p.shape.append(0.5*(x[k] + x[b]), edgeWith(b));
                 diagonal = 0.5*(X[a] - X[b]);
             }
             p.area = 0.5*mag((reference - X[k]) ^ diagonal);
             sum += p.area;
-            if (doubleArea(p.shape) < 0)
-            {
-                Swap(p.shape.p[1], p.shape.p[p.shape.size - 1]);
-            }
+            if (doubleArea(p.shape) < 0) p.shape.turnAround();
         };
 
         if (size == 3)
@@ -355,6 +456,9 @@ void Foam::contactOverlaps::append
     // Slivers are left out, by share of the smaller part
     constexpr scalar sliver = 1e-8;
 
+    // What is as good as on one line moves with both sides
+    const scalar onLine = joined ? 1e-9 : 0;
+
     vector u(Zero), w(Zero);
     if (nDim == 3)
     {
@@ -376,11 +480,13 @@ void Foam::contactOverlaps::append
     const projection a(minus, u, w), b(plus, u, w);
 
     const label first = overlaps.size();
+    FixedList<movingArea, 16> moving;
+
+    // Returns which of the overlaps of these faces it is part of
     const auto add = [&]
     (
         const label i,
         const label j,
-        const vector2D& at,
         const contactStencil& sideMinus,
         const contactStencil& sidePlus
     )
@@ -396,7 +502,7 @@ void Foam::contactOverlaps::append
             {
                 join(o.minus, sideMinus);
                 join(o.plus, sidePlus);
-                return;
+                return k - first;
             }
         }
         contactOverlap o;
@@ -405,12 +511,21 @@ void Foam::contactOverlaps::append
         o.depth = min(minus.depth[i], plus.depth[j]);
         o.width = 0.5*(minus.width + plus.width);
         overlaps.append(o);
+        return overlaps.size() - 1 - first;
+    };
+
+    const auto setMotions = [&]
+    {
+        for (label k = first; joined && k < overlaps.size(); ++k)
+        {
+            overlaps[k].motion = moving[k - first].motion(u, w);
+        }
     };
 
     if (nDim == 3)
     {
         FixedList<facePart, 8> partsA, partsB;
-        const label nA = a.parts(partsA), nB = b.parts(partsB);
+        const label nA = a.parts(partsA, 0), nB = b.parts(partsB, 1);
         for (label i = 0; i < nA; ++i)
         {
             const facePart& pa = partsA[i];
@@ -420,20 +535,22 @@ void Foam::contactOverlaps::append
                 const facePart& pb = partsB[j];
                 if (pa.misses(pb)) continue;
                 const scalar sb = pb.doubled;
-                const polygon common(clipped(pa.shape, pb.shape));
+                const polygon common(clipped(pa.shape, pb.shape, onLine));
                 const scalar s = common.size > 2 ? doubleArea(common) : 0;
                 if (s > sliver*min(sa, sb) && min(sa, sb) > 0)
                 {
                     const vector2D at(centroid(common));
-                    add
+                    const label k = add
                     (
-                        pa.corner, pb.corner, at,
+                        pa.corner, pb.corner,
                         stencil(a, pa.corner, at, s/sa, pa.area),
                         stencil(b, pb.corner, at, s/sb, pb.area)
                     );
+                    if (joined) moving[k].addPiece(common, s, at, a.centre);
                 }
             }
         }
+        setMotions();
         return;
     }
 
@@ -452,21 +569,41 @@ void Foam::contactOverlaps::append
             {
                 add
                 (
-                    i, j, at, stencil(a, i, at, 1, minus.area[i]),
+                    i, j, stencil(a, i, at, 1, minus.area[i]),
                     stencil(b, j, at, 1, plus.area[j])
                 );
             }
             else if (to - from > sliver*min(la, lb) && min(la, lb) > 0)
             {
                 const scalar sa = (to - from)/la, sb = (to - from)/lb;
-                add
+                const label k = add
                 (
-                    i, j, at, stencil(a, i, at, sa, minus.area[i]),
+                    i, j, stencil(a, i, at, sa, minus.area[i]),
                     stencil(b, j, at, sb, plus.area[j])
                 );
+                // Of the ends of both parts, which is that of the overlap
+                const auto follows = [&](const bool upper)
+                {
+                    const bool nodeA = (a0 > a1) == upper;
+                    const bool nodeB = (b0 > b1) == upper;
+                    const scalar ofA = nodeA && minus.rim[i] ? 0 : 0.5;
+                    const scalar ofB = nodeB && plus.rim[j] ? 1 : 0.5;
+                    const scalar ahead =
+                        (upper ? 1 : -1)
+                       *((nodeA ? a0 : a1) - (nodeB ? b0 : b1));
+                    return
+                        mag(ahead) < onLine*min(la, lb) ? together(ofA, ofB)
+                      : ahead > 0 ? ofB : ofA;
+                };
+                const scalar half = 0.5*(to - from);
+                movingArea& m = moving[k];
+                m.area = to - from;
+                m.addEdge(vector2D(half, 0), vector2D(follows(true), 0));
+                m.addEdge(vector2D(-half, 0), vector2D(-follows(false), 0));
             }
         }
     }
+    if (nDim == 2) setMotions();
 }
 
 

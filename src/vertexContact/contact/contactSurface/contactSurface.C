@@ -93,6 +93,7 @@ contactFace makeFace
     const medianDual& dual = body.dual();
     const dualPatch& patch = dual.patches()[side.patchi];
     const scalarField& depth = body.depth(side.patchi);
+    const boolList& rim = body.rim(side.patchi);
     const label d = dual.nDim();
 
     contactFace f;
@@ -113,6 +114,7 @@ contactFace makeFace
           : f.X[j];
         f.area[j] = patch.cornerArea[k];
         f.depth[j] = depth[k];
+        f.rim[j] = rim.size() && rim[k];
         mean += body.expand(patch.cornerNormal.cdata() + k*d);
     }
     f.spread = spread(s, f.size, f.area);
@@ -246,6 +248,7 @@ Foam::contactFace::message Foam::contactFace::pack() const
         for (direction i = 0; i < 3; ++i) m[k++] = X[j][i];
         m[k++] = area[j];
         m[k++] = depth[j];
+        m[k++] = rim[j];
     }
     return m;
 }
@@ -269,6 +272,7 @@ Foam::contactFace Foam::contactFace::unpack(const message& m)
         for (direction i = 0; i < 3; ++i) f.X[j][i] = m[k++];
         f.area[j] = m[k++];
         f.depth[j] = m[k++];
+        f.rim[j] = m[k++] > 0.5;
     }
     return f;
 }

@@ -229,6 +229,8 @@ Foam::contactPairings::AMI::AMI
         }
         for (label o = before; o < overlaps.size(); ++o)
         {
+            // Paired once: what has slid on is bounded by others
+            overlaps[o].motion = overlapMotion();
             covered += overlaps[o].minus.area;
         }
         for (label j = 0; j < a.size; ++j) area += a.area[j];
