@@ -938,10 +938,12 @@ void Foam::solidBody::restoreOld()
 {
     if (data_.variational)
     {
-        data_.state.lm = data_.old.lm;
-        data_.state.disp = data_.old.disp;
-        x_->acceleration = x_->oldAcceleration;
-        lastStep_ = oldStep_;
+        data_.state.lm = block_.valid() ? block_->lm : data_.old.lm;
+        data_.state.disp = block_.valid() ? block_->disp : data_.old.disp;
+        x_->acceleration =
+            block_.valid() ? block_->acceleration : x_->oldAcceleration;
+        lastStep_ = block_.valid() ? block_->lastStep : oldStep_;
+        if (block_.valid()) block_->inside = false;
         collected_ = false;
     }
     else

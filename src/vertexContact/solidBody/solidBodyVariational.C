@@ -471,6 +471,10 @@ void Foam::solidBody::finishSlide()
 Foam::vector Foam::solidBody::stepVelocity(const label node) const
 {
     const label d = dual_.nDim();
+    if (block_.valid() && block_->inside)
+    {
+        return expand(block_->path.cdata() + d*node);
+    }
     return expand(data_.state.lm.cdata() + d*node)/data_.rho;
 }
 
@@ -478,6 +482,7 @@ Foam::vector Foam::solidBody::stepVelocity(const label node) const
 Foam::vector Foam::solidBody::meanStepVelocity(const label node) const
 {
     const label d = dual_.nDim();
+    if (block_.valid() && block_->inside) return stepVelocity(node);
     return
         0.5
        *(stepVelocity(node) + expand(data_.old.lm.cdata() + d*node)/data_.rho);
@@ -568,8 +573,24 @@ void Foam::solidBody::leap
     powers& accounts
 )
 {
+    leap
+    (
+        time, deltaT, 0.5*(lastStep_ + deltaT), deltaT, energy, accounts
+    );
+}
+
+
+void Foam::solidBody::leap
+(
+    const scalar time,
+    const scalar deltaT,
+    const scalar half,
+    const scalar step,
+    const bool energy,
+    powers& accounts
+)
+{
     const label d = dual_.nDim();
-    const scalar half = 0.5*(lastStep_ + deltaT);
     scalar* lm = data_.state.lm.data();
     const scalar perRho = 1/data_.rho;
 
@@ -630,7 +651,7 @@ void Foam::solidBody::leap
     collected_ = true;
     oldStep_ = lastStep_;
     data_.state.sinceCommit = deltaT;
-    lastStep_ = deltaT;
+    lastStep_ = step;
     evaluated_ = false;
 }
 

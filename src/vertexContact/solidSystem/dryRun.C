@@ -193,6 +193,13 @@ void Foam::solidSystem::dryRun(OSstream& os)
         << "Steps: " << std::int64_t(steps) << " to time " << end
         << " s with that step" << nl;
 
+    if (bodies_.size() > 1)
+    {
+        scalarField steps(bodyStep_);
+        for (scalar& step : steps) reduce(step, minOp<scalar>());
+        reportSteps(os, steps);
+    }
+
     if (tried)
     {
         const scalar perStep = seconds/tried;

@@ -217,6 +217,12 @@ void Foam::solidSystem::pairMoved(const scalar time)
 
 void Foam::solidSystem::evaluateForces(const scalar time, const bool moved)
 {
+    if (ratios_->active())
+    {
+        evaluateInBlocks(time, moved);
+        return;
+    }
+
     // Contact is solved with the velocities that all other forces make
     for (solidBody& body : bodies_)
     {
@@ -275,6 +281,10 @@ Foam::scalar Foam::solidSystem::stableStep()
         });
         shortest = min(shortest, bodyStep_[i]);
         fastest = max(fastest, bodies_[i].fastestStretching());
+    }
+    if (ratios_->active())
+    {
+        return stableCommonStep();
     }
     if (integrator_.leapfrog())
     {
@@ -367,6 +377,12 @@ void Foam::solidSystem::complete(const int stage, const updatedPart part)
 
 void Foam::solidSystem::leap(const scalar time)
 {
+    if (ratios_->active())
+    {
+        leapInBlocks(time);
+        return;
+    }
+
     const scalar deltaT = runTime_.deltaTValue();
     const scalar middle = 0.5*(bodies_[0].lastStep() + deltaT);
     forAll(bodies_, i)
@@ -601,6 +617,8 @@ void Foam::solidSystem::stopStep
     {
         contact.restoreSums();
     }
+    commonStep_ = oldCommonStep_;
+    shortStep_ = oldShortStep_;
     runTime_.setTime(startOfStep_, runTime_.timeIndex() - 1);
     if (integrator_.leapfrog())
     {
@@ -783,6 +801,7 @@ Foam::solidSystem::solidSystem(Time& runTime)
         bodies_.set(i, new solidBody(runTime, regions[i], preset_.scheme));
     }
 
+    ratios_.reset(new stepRatios(runTime.controlDict(), countNodes()));
     checkIntegrator();
 
     IOobject contactIO
@@ -865,12 +884,7 @@ Foam::solidSystem::solidSystem(Time& runTime)
     initialEnergy_.setSize(bodies_.size(), scalar(0));
     readAccounts(record);
     functionRecords_ = record.subOrEmptyDict("functionObjects");
-    leastLimit_.read(record);
-    const scalar lastStep = record.getOrDefault<scalar>("lastStep", 0);
-    for (solidBody& body : bodies_)
-    {
-        body.setLastStep(lastStep);
-    }
+    readSteps(record);
     maxEnergyRise_ =
         runTime.controlDict().getOrDefault<scalar>("maxEnergyRise", 0);
     if (maxEnergyRise_ > 0)
@@ -1038,7 +1052,7 @@ void Foam::solidSystem::startStep()
     // A fixed step needs it only where the Courant number is printed
     const dictionary& control = runTime_.controlDict();
     const bool adjusts = control.getOrDefault("adjustTimeStep", true);
-    if (!adjusts)
+    if (!adjusts && !ratios_->active())
     {
         // Nobody looks at how fast edges are strained
         sinceBound_ = GREAT;
@@ -1046,6 +1060,7 @@ void Foam::solidSystem::startStep()
     if
     (
         adjusts
+     || ratios_->active()
      || timeStepLimit_ == 0
      || logs(steps_ + 1, startOfStep_ + runTime_.deltaTValue())
     )
@@ -1053,7 +1068,11 @@ void Foam::solidSystem::startStep()
         timeStepLimit_ = stableStep();
         checkTimeStep();
     }
-    if (adjusts)
+    if (ratios_->active())
+    {
+        chooseSteps(adjusts);
+    }
+    else if (adjusts)
     {
         const scalar stable =
             integrator_.leapfrog()

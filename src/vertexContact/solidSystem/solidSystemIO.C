@@ -87,6 +87,15 @@ void Foam::solidSystem::checkIntegrator() const
             }
         }
     }
+    if (ratios_->active() && !integrator_.leapfrog())
+    {
+        FatalIOErrorInFunction(runTime_.controlDict())
+            << "Keyword 'subCycling' is yes, which does not go with preset "
+            << preset::names[preset_.name] << " (timeIntegrator "
+            << timeIntegrator::names[integrator_.type()]
+            << "). Valid integrators for it: (leapfrog)"
+            << exit(FatalIOError);
+    }
     for (const solidBody& body : bodies_)
     {
         if (body.variational() != integrator_.leapfrog())
@@ -219,6 +228,32 @@ Foam::dictionary Foam::solidSystem::readRecord()
     }
     runTime_.setTime(exact, runTime_.timeIndex());
     return record;
+}
+
+
+void Foam::solidSystem::readSteps(const dictionary& record)
+{
+    leastLimit_.read(record);
+    commonStep_ = record.getOrDefault<scalar>("lastStep", 0);
+    shortStep_ = record.getOrDefault<scalar>("shortStep", commonStep_);
+    if (record.found("shortStep") && !ratios_->active())
+    {
+        FatalIOErrorInFunction(runTime_.controlDict())
+            << "Keyword 'subCycling' is no, but the run that this one goes on "
+            << "from had steps of their own: it must be yes. "
+            << "'maxSubCycles 1' gives one step to all regions."
+            << exit(FatalIOError);
+    }
+    forAll(bodies_, i)
+    {
+        const dictionary& its =
+            record.subOrEmptyDict("region_" + bodies_[i].name());
+        bodies_[i].setLastStep
+        (
+            its.getOrDefault<scalar>("lastStep", commonStep_)
+        );
+        ratios_->read(i, its);
+    }
 }
 
 
@@ -518,12 +553,21 @@ bool Foam::solidSystem::writeData(Ostream& os) const
     OStringStream text;
     text.precision(17);
     text<< "time " << runTime_.value() << ';' << nl
-        << "lastStep " << bodies_[0].lastStep() << ';' << nl
+        << "lastStep "
+        << (ratios_->active() ? commonStep_ : bodies_[0].lastStep())
+        << ';' << nl
         << "energiesOn " << (energiesOn_ ? "yes" : "no") << ';' << nl;
     leastLimit_.write(text);
+    if (ratios_->active()) text<< "shortStep " << shortStep_ << ';' << nl;
     forAll(bodies_, i)
     {
-        text<< "region_" << bodies_[i].name() << nl << '{' << nl
+        text<< "region_" << bodies_[i].name() << nl << '{' << nl;
+        if (ratios_->active())
+        {
+            text<< "    lastStep " << bodies_[i].lastStep() << ';' << nl;
+            ratios_->write(i, text);
+        }
+        text
             << "    initialEnergy " << initialEnergy_[i] << ';' << nl
             << "    numericalDissipation "
             << total(accounts_[i].numericalDissipation) << ';' << nl
@@ -573,6 +617,10 @@ void Foam::solidSystem::report(Ostream& os) const
     {
         os  << ", fixed step" << nl;
     }
+    if (ratios_->active())
+    {
+        os  << "Steps of their own for the regions" << nl;
+    }
     for (const solidBody& body : bodies_)
     {
         os  << "Region " << body.name() << nl;
@@ -596,16 +644,8 @@ void Foam::solidSystem::reportCost(OSstream& os) const
     // The file's precision would make figures unreadable
     const int precision = os.precision(6);
 
-    labelList bodyNodes(bodies_.size(), label(0));
-    forAll(bodies_, i)
-    {
-        for (const bool mine : bodies_[i].dual().sharing().owned())
-        {
-            if (mine) ++bodyNodes[i];
-        }
-        reduce(bodyNodes[i], sumOp<label>());
-    }
-    const label nodes = sum(bodyNodes);
+    const scalarField bodyNodes(countNodes());
+    const scalar nodes = sum(bodyNodes);
     if (steps_)
     {
         os  << "Steps: " << steps_ << " in " << stepSeconds_ << " s, "
@@ -625,16 +665,16 @@ void Foam::solidSystem::reportCost(OSstream& os) const
 
     if (steps_ && bodies_.size() > 1)
     {
-        scalar ownSteps = 0;
+        scalarField stable(bodyStep_);
         os  << "Stable steps at Co 1, at the end:";
         forAll(bodies_, i)
         {
-            const scalar step = returnReduce(bodyStep_[i], minOp<scalar>());
-            ownSteps += bodyNodes[i]/step;
-            os  << ' ' << bodies_[i].name() << ' ' << step << " s";
+            stable[i] = returnReduce(stable[i], minOp<scalar>());
+            os  << ' ' << bodies_[i].name() << ' ' << stable[i] << " s";
         }
-        os  << ". With steps of its own for each region, the steps would take "
-            << ownSteps*timeStepLimit_/nodes << " of the time" << nl << nl;
+        os  << nl;
+        reportSteps(os, stable);
+        os  << nl;
     }
 
     reportRange(os);

@@ -281,6 +281,10 @@ void Foam::bodyInterface::solveOverlaps()
     const bool bonded = law().bonded();
     const bool sticks = law().sticks();
     const scalar impedance = contactLayer::joint(M.zp, P.zp);
+    const scalar minusGives = body.contactGives();
+    const scalar plusGives = plus_.body->contactGives();
+    const bool alike = minusGives == plusGives;
+    const scalarField& depth = body.depth(minus_.patchi);
     surfaceAnswer* toMinus = toMinus_.data();
     surfaceAnswer* toPlus = toPlus_.data();
 
@@ -348,9 +352,23 @@ void Foam::bodyInterface::solveOverlaps()
             p.plus.zp = P.zp;
             p.plus.zs = P.zs;
             p.area = 0.5*(b.minus.area[l] + b.plus.area[l])*at.area[l];
+            scalar gives = minusGives;
+            if (!alike)
+            {
+                contactLayer::side minus{0, body.material().rho()};
+                for (int j = 0; j < nNodes; ++j)
+                {
+                    minus.depth +=
+                        b.minus.N[j][l]
+                       *depth[minusCorners_[b.minus.slot[j][l]]];
+                }
+                const scalar share =
+                    contactLayer(minus, {}).perMass()/b.perMass[l];
+                gives = plusGives + share*(minusGives - plusGives);
+            }
             contactLayer(b.perMass[l]).set
             (
-                p, at.stretch[l], at.opposed[l], bonded, shift, deltaT
+                p, at.stretch[l], at.opposed[l], bonded, shift, deltaT, gives
             );
             countClosing(p, b.depth[l]);
             tellGap(b, l, p.gap);

@@ -98,7 +98,7 @@ void Foam::obstacleInterface::solveForces(const bool firstStage)
             sticks
           ? acousticRiemann::tangential(body.slide(node), p.n)
           : vector::zero,
-            deltaT
+            deltaT, body.contactGives()
         );
         countClosing(p, depth[k]);
         if (closed_[i] && p.gap < -depth[k])

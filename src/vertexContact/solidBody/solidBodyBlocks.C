@@ -1,0 +1,191 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+-------------------------------------------------------------------------------
+Description
+    Steps of their own: what a body does within its step, the block, while
+    contact is solved several times with the shorter steps of another one. The
+    scheme, and why it cannot feed: stepRatios.H.
+
+\*---------------------------------------------------------------------------*/
+
+#include "solidBody.H"
+#include "stepRatios.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::solidBody::completeContact()
+{
+    const label d = dual_.nDim();
+    dual_.sharing().sum(work_.data(), d);
+    if (symmetry_.active()) symmetry_.project(work_.data(), d);
+    for (const label a : fixedContactNodes_)
+    {
+        for (label i = 0; i < d; ++i) work_[a*d + i] = 0;
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::solidBody::keepStart()
+{
+    if (!block_.valid()) block_.reset(new stepBlock);
+    block_->lm = data_.state.lm;
+    block_->disp = data_.state.disp;
+    block_->acceleration = x_->acceleration;
+    block_->lastStep = lastStep_;
+}
+
+
+void Foam::solidBody::keepFreeRates()
+{
+    if (!hasContact_) return;
+    if (!block_.valid()) block_.reset(new stepBlock);
+    const label d = dual_.nDim();
+    scalarField& rates = block_->freeRates;
+    scalarField& forces = block_->freeForces;
+    rates.setSize(contactNodes_.size()*d);
+    forces.setSize(contactNodes_.size()*d);
+    forAll(contactNodes_, k)
+    {
+        const label a = contactNodes_[k];
+        for (label i = 0; i < d; ++i)
+        {
+            rates[k*d + i] = data_.rates[a*data_.strideRates + i];
+            forces[k*d + i] = externalForce_[a*d + i];
+        }
+    }
+}
+
+
+void Foam::solidBody::restoreFreeRates()
+{
+    if (!hasContact_) return;
+    const label d = dual_.nDim();
+    forAll(contactNodes_, k)
+    {
+        const label a = contactNodes_[k];
+        for (label i = 0; i < d; ++i)
+        {
+            data_.rates[a*data_.strideRates + i] = block_->freeRates[k*d + i];
+            externalForce_[a*d + i] = block_->freeForces[k*d + i];
+        }
+    }
+}
+
+
+void Foam::solidBody::setContactBlock(const scalar deltaT, const scalar block)
+{
+    contactStep_ = deltaT;
+    contactAhead_ = 0.5*block;
+    contactGives_ = stepRatios::gives*0.5*block/deltaT;
+}
+
+
+void Foam::solidBody::startBlock()
+{
+    if (!block_.valid()) block_.reset(new stepBlock);
+    stepBlock& b = *block_;
+    b.inside = hasContact_;
+    b.elapsed = 0;
+    if (!hasContact_) return;
+
+    const label d = dual_.nDim();
+    b.impulse.setSize(dual_.nNodes()*d);
+    b.path.setSize(dual_.nNodes()*d);
+    b.startDisp.setSize(contactNodes_.size()*d);
+    forAll(contactNodes_, k)
+    {
+        const label a = contactNodes_[k];
+        for (label i = 0; i < d; ++i)
+        {
+            b.startDisp[k*d + i] = data_.state.disp[a*d + i];
+            b.impulse[a*d + i] = 0;
+            b.path[a*d + i] = data_.state.lm[a*d + i]/data_.rho;
+        }
+    }
+}
+
+
+void Foam::solidBody::placeSurface(const scalar time)
+{
+    if (!hasContact_) return;
+    stepBlock& b = *block_;
+    const label d = dual_.nDim();
+    if (b.elapsed > 0)
+    {
+        for (const label a : contactNodes_)
+        {
+            for (label i = 0; i < d; ++i)
+            {
+                work_[a*d + i] = b.impulse[a*d + i]/b.elapsed;
+            }
+        }
+        completeContact();
+    }
+    forAll(contactNodes_, k)
+    {
+        const label a = contactNodes_[k];
+        const scalar* rate = data_.rates.cdata() + a*data_.strideRates;
+        for (label i = 0; i < d; ++i)
+        {
+            const scalar v = data_.state.lm[a*d + i]/data_.rho;
+            b.path[a*d + i] =
+                b.elapsed > 0
+              ? v + contactAhead_/data_.rho*(rate[i] + work_[a*d + i])
+              : v;
+            data_.state.disp[a*d + i] =
+                b.startDisp[k*d + i] - 0.5*lastStep_*v + time*b.path[a*d + i];
+        }
+    }
+}
+
+
+void Foam::solidBody::putSurfaceBack()
+{
+    if (!hasContact_) return;
+    const label d = dual_.nDim();
+    forAll(contactNodes_, k)
+    {
+        const label a = contactNodes_[k];
+        for (label i = 0; i < d; ++i)
+        {
+            data_.state.disp[a*d + i] = block_->startDisp[k*d + i];
+        }
+    }
+    block_->inside = false;
+}
+
+
+void Foam::solidBody::addContactImpulse(const scalar deltaT)
+{
+    block_->elapsed += deltaT;
+    const label d = dual_.nDim();
+    for (const label a : contactNodes_)
+    {
+        for (label i = 0; i < d; ++i)
+        {
+            block_->impulse[a*d + i] += deltaT*contactForce_[a*d + i];
+        }
+    }
+}
+
+
+void Foam::solidBody::endBlock()
+{
+    putSurfaceBack();
+    const label d = dual_.nDim();
+    for (const label a : contactNodes_)
+    {
+        for (label i = 0; i < d; ++i)
+        {
+            contactForce_[a*d + i] = block_->impulse[a*d + i]/block_->elapsed;
+        }
+    }
+    addContactForces();
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,370 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+-------------------------------------------------------------------------------
+Description
+    The leapfrog with steps of their own (stepRatios).
+
+\*---------------------------------------------------------------------------*/
+
+#include "solidSystem.H"
+#include "passTimes.H"
+#include <chrono>
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalarField Foam::solidSystem::countNodes() const
+{
+    scalarField nodes(bodies_.size(), Zero);
+    forAll(bodies_, i)
+    {
+        for (const bool mine : bodies_[i].dual().sharing().owned())
+        {
+            if (mine) ++nodes[i];
+        }
+        reduce(nodes[i], sumOp<scalar>());
+    }
+    return nodes;
+}
+
+
+Foam::scalar Foam::solidSystem::stableCommonStep()
+{
+    const label n = bodies_.size();
+    scalarList least(2*n + 1, scalar(GREAT));
+    forAll(bodies_, i)
+    {
+        least[i] = bodyStep_[i];
+        least[n + i] = -bodies_[i].fastestStretching();
+    }
+    for (const contactInterface& contact : interfaces_)
+    {
+        // Surfaces that meet come no closer in a common step than edges do
+        least[2*n] = min
+        (
+            least[2*n], 1/(3*contact.stageStatistics().closing + VSMALL)
+        );
+    }
+    Pstream::listCombineGather(least, minEqOp<scalar>());
+    Pstream::listCombineScatter(least);
+
+    stable_.setSize(n);
+    longest_ = least[2*n];
+    fastest_ = 0;
+    for (label i = 0; i < n; ++i)
+    {
+        stable_[i] = least[i];
+        const scalar fastest = -least[n + i];
+        fastest_ = max(fastest_, fastest);
+        longest_ = min
+        (
+            longest_, max(stable_[i], stepRatios::strain/(fastest + VSMALL))
+        );
+    }
+    boundsAnew_ = false;
+    return ratios_->commonStep(stable_, longest_);
+}
+
+
+void Foam::solidSystem::chooseSteps(const bool adjusts)
+{
+    recentStable_ = ratios_->least(stable_);
+    const scalar longest = leastLimit_.of(longest_);
+    if (adjusts)
+    {
+        runTime_.setDeltaT
+        (
+            fitToWriteTimes
+            (
+                maxCo()*ratios_->commonStep(recentStable_, longest)
+            ),
+            false
+        );
+    }
+
+    // Forces act over the means of two steps
+    const scalar deltaT = runTime_.deltaTValue();
+    ownSteps_ = ratios_->of
+    (
+        max(deltaT, 0.5*(commonStep_ + deltaT)), maxCo()*recentStable_
+    );
+}
+
+
+void Foam::solidSystem::evaluateBody
+(
+    const label bodyi,
+    const scalar time,
+    const bool wavesAnew
+)
+{
+    solidBody& body = bodies_[bodyi];
+    body.prepare(time, true, wavesAnew);
+    body.computeFluxes(energiesOn_);
+    body.finishRates(time, energiesOn_);
+}
+
+
+void Foam::solidSystem::solveInBlocks
+(
+    const scalar time,
+    const scalar deltaT,
+    const scalarField& blocks,
+    const scalarField& afters
+)
+{
+    passTimes::timed(passTimes::contact, [&]
+    {
+        forAll(bodies_, i)
+        {
+            // Blocks are multiples
+            if (blocks[i] > 1.5*deltaT)
+            {
+                bodies_[i].setContactBlock(deltaT, blocks[i]);
+                bodies_[i].placeSurface(afters[i]);
+            }
+            else
+            {
+                bodies_[i].setContactStep(deltaT);
+            }
+            bodies_[i].startContact();
+        }
+        solveContact(time, true);
+    });
+}
+
+
+void Foam::solidSystem::evaluateInBlocks(const scalar time, const bool moved)
+{
+    // The displacement of a body is half of its step ahead of the momentum
+    scalarField blocks(bodies_.size());
+    forAll(bodies_, i)
+    {
+        blocks[i] = bodies_[i].lastStep();
+        evaluateBody(i, time - 0.5*(commonStep_ - blocks[i]), boundsAnew_);
+    }
+    if (moved) pairMoved(time);
+    for (solidBody& body : bodies_)
+    {
+        body.keepFreeRates();
+    }
+
+    // As in evaluateForces
+    const auto solve = [&](const scalar deltaT)
+    {
+        const scalarField afters(bodies_.size(), 0.5*shortStep_);
+        forAll(bodies_, i)
+        {
+            if (blocks[i] > 1.5*deltaT) bodies_[i].startBlock();
+        }
+        solveInBlocks
+        (
+            time - 0.5*(commonStep_ - shortStep_), deltaT, blocks, afters
+        );
+        forAll(bodies_, i)
+        {
+            if (blocks[i] > 1.5*deltaT) bodies_[i].putSurfaceBack();
+        }
+    };
+    solve(shortStep_);
+    if (commonStep_ == 0 && interfaces_.size())
+    {
+        const bool adjusts =
+            runTime_.controlDict().getOrDefault("adjustTimeStep", true);
+        for (label i = 0; i < 2; ++i)
+        {
+            const scalar stable = stableStep();
+            const scalar step =
+                adjusts ? maxCo()*stable : runTime_.deltaTValue();
+            const stepRatios::ratios r(ratios_->of(step, maxCo()*stable_));
+            forAll(blocks, k) blocks[k] = 0.5*step/r.steps[k];
+            solve(0.5*step/r.most);
+        }
+    }
+    for (solidBody& body : bodies_)
+    {
+        body.addContactForces();
+    }
+}
+
+
+void Foam::solidSystem::leapInBlocks(const scalar time)
+{
+    const label n = bodies_.size();
+    const scalar deltaT = runTime_.deltaTValue();
+    const scalar middle = 0.5*(commonStep_ + deltaT);
+    const label most = ownSteps_.most;
+    const scalar kick = middle/most;
+    const scalar ahead = 0.5*shortStep_;
+    oldCommonStep_ = commonStep_;
+    oldShortStep_ = shortStep_;
+
+    // Short steps of a block; how far the displacement is ahead after it
+    labelList length(n);
+    scalarField step(n), blocks(n), afters(n, ahead);
+    forAll(bodies_, i)
+    {
+        length[i] = most/ownSteps_.steps[i];
+        blocks[i] = length[i]*kick;
+        step[i] = ownSteps_.steps[i] == 1 ? deltaT : blocks[i];
+        bodies_[i].keepStart();
+        bodies_[i].restoreFreeRates();
+    }
+
+    // From the instant of the momentum at the start of the common step; the
+    // times of the displacements
+    const auto timeOf = [&](const label i, const label j)
+    {
+        return
+            startOfStep_ - 0.5*(oldCommonStep_ - bodies_[i].lastStep())
+          + j*kick;
+    };
+    const auto leapOver = [&](const label i, const label j)
+    {
+        passTimes::timed(passTimes::update, [&]
+        {
+            bodies_[i].leap
+            (
+                timeOf(i, j),
+                blocks[i] + 0.5*(step[i] - bodies_[i].lastStep()),
+                blocks[i], step[i], energiesOn_, accounts_[i]
+            );
+        });
+    };
+
+    label nBad = 0;
+    for (label j = 0; j < most; ++j)
+    {
+        // The last common step has evaluated the first ones, with contact
+        forAll(bodies_, i)
+        {
+            const bool begins = j % length[i] == 0;
+            if (begins && j)
+            {
+                evaluateBody(i, timeOf(i, j), false);
+                nBad += bodies_[i].nBad();
+            }
+            if (begins && length[i] > 1) bodies_[i].startBlock();
+            if (length[i] > 1)
+            {
+                afters[i] = ahead + (j % length[i])*kick;
+            }
+        }
+        if (j)
+        {
+            reduce(nBad, sumOp<label>());
+            if (nBad) break;
+            forAll(bodies_, i)
+            {
+                if (j % length[i]) continue;
+                accounts_[i].plastic += passTimes::timed
+                (
+                    passTimes::plasticity,
+                    [&] { return bodies_[i].commitPlasticity(); }
+                );
+            }
+            solveInBlocks
+            (
+                startOfStep_ - 0.5*(oldCommonStep_ - oldShortStep_) + j*kick,
+                kick, blocks, afters
+            );
+        }
+
+        const auto start = std::chrono::steady_clock::now();
+        forAll(bodies_, i)
+        {
+            if (length[i] > 1)
+            {
+                bodies_[i].addContactImpulse(kick);
+            }
+            else
+            {
+                bodies_[i].addContactForces();
+                leapOver(i, j);
+            }
+        }
+        passTimes::timed(passTimes::contact, [&]
+        {
+            for (contactInterface& contact : interfaces_)
+            {
+                contact.accumulate(kick);
+                contact.slide(kick, most == 1 ? deltaT : kick);
+            }
+            for (solidBody& body : bodies_)
+            {
+                body.finishSlide();
+            }
+        });
+        contactSeconds_ +=
+            std::chrono::duration<double>
+            (
+                std::chrono::steady_clock::now() - start
+            ).count();
+        forAll(bodies_, i)
+        {
+            if (length[i] > 1 && (j + 1) % length[i] == 0)
+            {
+                bodies_[i].endBlock();
+                leapOver(i, j + 1 - length[i]);
+            }
+        }
+    }
+    commonStep_ = deltaT;
+    shortStep_ = most == 1 ? deltaT : kick;
+    evaluations_ += ownSteps_.evaluations;
+    oneStepEvaluations_ +=
+        sum(countNodes())*deltaT/(maxCo()*min(recentStable_));
+
+    if (!nBad)
+    {
+        sinceBound_ += deltaT*fastest_;
+        if (sinceBound_ >= boundStrain)
+        {
+            sinceBound_ = 0;
+            boundsAnew_ = true;
+        }
+        evaluateForces(time, true);
+        for (const solidBody& body : bodies_)
+        {
+            nBad += body.nBad();
+        }
+    }
+    settle(nBad);
+}
+
+
+void Foam::solidSystem::reportSteps
+(
+    Ostream& os,
+    const scalarField& stable
+) const
+{
+    if (ratios_->active() && ownSteps_.steps.size())
+    {
+        os  << "Steps of their own (subCycling), now:";
+        forAll(bodies_, i)
+        {
+            os  << ' ' << bodies_[i].name() << ' ' << ownSteps_.steps[i];
+        }
+        os  << " in " << commonStep_ << " s; so far " << evaluations_
+            << " evaluations of nodes, " << evaluations_/oneStepEvaluations_
+            << " of the " << oneStepEvaluations_ << " with one step for all"
+            << nl;
+        return;
+    }
+    const scalar common = ratios_->commonStep(stable, longest_);
+    const stepRatios::ratios r(ratios_->of(common, stable));
+    os  << "With steps of their own (subCycling yes), ";
+    forAll(bodies_, i)
+    {
+        os  << bodies_[i].name() << ' ' << r.steps[i] << ' ';
+    }
+    os  << "in " << common << " s times maxCo, nodes would be evaluated "
+        << ratios_->cost(common, stable) << " times as often" << nl
+        << "    A region has one step, also where only a few of its cells are "
+        << "small or stiff: regions of their own, tied, have theirs" << nl;
+}
+
+
+// ************************************************************************* //
