@@ -1,0 +1,231 @@
+"""Steps of their own: a soft and a stiff body, speeds of waves 1:20, against
+the exact solution, one step for both, and what has to stay as it is."""
+
+import re
+import shutil
+
+import numpy as np
+import pytest
+
+from caseTools import DEFAULT, Case, checked, timeFolders
+from smallCases import Body, SmallCase, condition, coulomb, interface
+
+RATIO = 20          # of the speeds of waves
+SPEED = 0.01
+THICKNESS = 0.1     # of the stiff body
+FLOOR = {"type": "plane", "planeType": "pointAndNormal",
+         "pointAndNormalDict": {"point": (0, 0, 0), "normal": (0, 1, 0)}}
+
+
+def elastic(E, kind="linearElastic", nu=0):
+    return {"type": kind, "rho": 1, "E": E, "nu": nu}
+
+
+def bars(folder, own, n=100, law="frictionless", endTime=0.6, **control):
+    """A soft bar that hits a stiff one, a tenth of the nodes."""
+    soft = Body(cells=(n,), name="soft", material=elastic(1),
+                velocity=(SPEED, 0, 0), sides={"right": "contact"})
+    stiff = Body(cells=(n//10,), name="stiff", start=(1, 0, 0),
+                 size=(THICKNESS, 1, 1), material=elastic(RATIO**2),
+                 sides={"left": "contact"})
+    case = SmallCase(
+        folder, (soft, stiff), endTime,
+        {"bars": interface(("soft", "right"), ("stiff", "left"), law)},
+        preset=DEFAULT, functions=("contactForces",), control={
+            "maxCo": 0.9, "timePrecision": 12,
+            "subCycling": "yes" if own else "no", **control})
+    return finished(case)
+
+
+def finished(case):
+    code, case.output = case.attempt()
+    assert code == 0, case.output[-3000:]
+    return case
+
+
+def evaluations(case):
+    """Nodes that were evaluated, and how many with one step."""
+    found = re.search(r"so far (\S+) evaluations of nodes, \S+ of the (\S+) "
+                      "with", case.output)
+    return float(found[1]), float(found[2])
+
+
+def impulse(t):
+    """Exact impulse of the stiff bar: the pressure falls by the same share
+    each time that waves have gone there and back in it."""
+    z = RATIO
+    q, back = (z - 1)/(z + 1), 2*THICKNESS/RATIO
+    first = SPEED*z/(1 + z)
+    turns = np.floor(np.maximum(t, 0)/back)
+    return first*(back*(1 - q**turns)/(1 - q) + (t - turns*back)*q**turns)
+
+
+def momentum(case):
+    """Of the stiff bar, which is that of the middle of each step."""
+    t = case.momentum["Time"]
+    return t - np.diff(t, prepend=0)/2, case.momentumOf("stiff")[:, 0]
+
+
+def test_impact(tmp_path, figures):
+    errors, differences = [], []
+    every = np.linspace(0.05, 0.59, 200)
+    for n in 50, 100, 200:
+        one, own = (bars(tmp_path/f"{n}{is_}", is_, n) for is_ in (False, True))
+        t, p = momentum(own)
+        errors.append(np.mean(abs(p - impulse(t)))/impulse(t[-1]))
+        differences.append(max(abs(
+            np.interp(every, t, p) - np.interp(every, *momentum(one))))
+            / impulse(t[-1]))
+    total = own.momentumOf()[:, 0]
+    done, ofOne = evaluations(own)
+    e, e1 = own.energies, one.energies
+    start = e["total:kinetic"][0]
+    with figures("bars 1:20, 50 to 200 cells") as f:
+        f.falling("mean error of the impulse", errors)
+        f.atMost("on the finest", errors[-1], 0.01)
+        f.falling("largest difference from one step", differences)
+        f.atMost("on the finest", differences[-1], 0.01)
+        f.atMost("momentum, largest change",
+                 max(abs(total - total[0]))/total[0], 1e-14)
+        f.atLeast("evaluations of one step / own", ofOne/done, 5)
+        f.within("kinetic energy of the stiff bar / one step",
+                 e["stiff:kinetic"][-1]/e1["stiff:kinetic"][-1], 1, 0.01)
+        f.atMost("rise of the energy", max(
+            own.totalEnergy - np.minimum.accumulate(own.totalEnergy))/start,
+            0.01)
+        f.atMost("balance at the end", abs(e["total:balance"][-1])/start, 1e-3)
+
+
+@pytest.mark.parametrize("law", ("tied", "frictionless"))
+def test_load(tmp_path, figures, law):
+    """A stiff plate on a soft column that is held below, 10^5 common steps
+    after the weight came on at once: what vibrates is hardly damped, and
+    nothing may feed it."""
+    g, step = 0.01, 0.05
+    soft = Body(cells=(10,), name="soft", material=elastic(1),
+                sides={"left": condition("fixedVelocity", velocity=(0, 0, 0)),
+                       "right": "contact"})
+    stiff = Body(cells=(3,), name="stiff", start=(1, 0, 0), size=(0.3, 1, 1),
+                 material=elastic(RATIO**2), sides={"left": "contact"})
+    case = finished(SmallCase(
+        tmp_path/"case", (soft, stiff), 1e5*step, gravity=(-g, 0, 0),
+        interfaces={"bars": interface(("soft", "right"), ("stiff", "left"),
+                                      law)},
+        preset=DEFAULT, functions=("contactForces",), control={
+            "adjustTimeStep": "no", "deltaT": step, "subCycling": "yes",
+            "maxCo": 0.9, "logInterval": 1000000}))
+    e = case.energies
+    own = e["total:kinetic"] + e["total:strain"] - e["total:externalWork"]
+    half, end = len(own)//2, len(own)
+    weight = g*0.3
+    carried = weight + g*(1 - np.linspace(0.05, 0.95, 10))
+    strain = 0.5*np.mean(carried**2)
+    least = np.minimum.accumulate(own)
+    force = -case.contact("bars")["soft.right:Fx"][half:]
+    with figures(f"plate on a column, {law}, 1e5 common steps") as f:
+        f.atLeast("short steps in a common one", float(re.search(
+            r"now: soft 1 stiff (\d+)", case.output)[1]), 10)
+        f.atMost("rise of energy less works / strain energy at rest",
+                 max(own - least)/strain, 0.01)
+        f.atMost("energy less works at half time, at the end / strain energy",
+                 max(own[half], own[-1])/strain, 0)
+        f.within("force, mean of the second half / weight",
+                 np.mean(force)/weight, 1, 0.01)
+        f.atMost("balance at the end / strain energy",
+                 abs(e["total:balance"][-1])/strain, 0.01)
+
+
+def block(folder, own, law, material="neoHookean", cells=(6, 6), speed=0.1,
+          **control):
+    """A stiff block that slides into a soft one, which stands on a floor."""
+    soft = Body(cells=cells, name="soft", material=elastic(1, "neoHookean", 0.3),
+                sides={"top": "contact", "bottom": "contact"})
+    hard = {**elastic(100, material, 0.3), "tauY": 0.5, "Hardening": 10}
+    if material != "HenckyVonMises":
+        hard = elastic(100, material, 0.3)
+    stiff = Body(cells=(3, 2), name="stiff", start=(0.3, 1.001, 0),
+                 size=(0.4, 0.2, 1), material=hard,
+                 velocity=(speed, -speed, 0), sides={"bottom": "contact"})
+    return SmallCase(
+        folder, (stiff, soft), 1.2, {
+            "blocks": interface(("stiff", "bottom"), ("soft", "top"), law,
+                                pairing="nearestFace"),
+            "floor": {"side": ("soft", "bottom"), "obstacle": FLOOR,
+                      "law": coulomb(0.5)}},
+        preset=DEFAULT, functions=("contactForces",), control={
+            "subCycling": "yes" if own else "no", "writeInterval": 0.3,
+            "maxCo": 0.9, "timePrecision": 12, **control})
+
+
+def contents(folder):
+    return {file.relative_to(folder): file.read_bytes()
+            for file in folder.rglob("*") if file.is_file()}
+
+
+@pytest.mark.parametrize("ranks", (1, 2))
+def test_restart(tmp_path, figures, ranks):
+    """Bit by bit, with friction and plastic flow."""
+    case = block(tmp_path/"case", True, coulomb(0.3), "HenckyVonMises")
+    run, folders = ["vertexContactFoam"], ["."]
+    if ranks > 1:
+        case.decompose(ranks)
+        run = ["mpirun", "-np", str(ranks), *run, "-parallel"]
+        folders = [f"processor{i}" for i in range(ranks)]
+    checked(run, case.path)
+    times = timeFolders(case/folders[0])
+    expected = [contents(case/folder/times[-1]) for folder in folders]
+    for folder in folders:
+        for time in times:
+            if float(time) > 0.6 + 1e-9:
+                shutil.rmtree(case/folder/time)
+    checked(run, case.path)
+    found = [contents(case/folder/times[-1]) for folder in folders]
+    different = {str(file) for a, b in zip(expected, found)
+                 for file in a.keys() | b.keys() if a.get(file) != b.get(file)}
+    if ranks > 1:
+        # Sums of the ranks
+        different.discard("uniform/solidSystem")
+    touched = Case(case.path).contact("blocks")["area"]
+    with figures(f"steps of their own, {ranks} ranks: restart") as f:
+        f.equal("files that differ", sorted(different), [])
+        f.atLeast("files compared", len(expected[0]), 8)
+        f.atLeast("largest area of contact", max(touched), 0.1)
+
+
+def test_ranks(tmp_path, figures):
+    one = finished(block(tmp_path/"one", True, coulomb(0.3)))
+    two = block(tmp_path/"two", True, coulomb(0.3))
+    code, output = two.attempt(2)
+    assert code == 0, output[-3000:]
+    checked(["reconstructPar", "-allRegions", "-latestTime"], two.path)
+    with figures("steps of their own, 2 ranks against 1") as f:
+        for region in "stiff", "soft":
+            for name in "pointU", "pointD":
+                a, b = (c.at(name, region=region) for c in (one, two))
+                f.atMost(f"{region} {name}, largest difference / largest",
+                         abs(a - b).max()/abs(a).max(), 1e-10)
+
+
+def test_blocks(tmp_path, figures):
+    """An oblique impact with friction, in two dimensions, at a tenth of the
+    speed of waves."""
+    p, strain, energy = [], [], []
+    for n in 10, 20, 40:
+        one, own = (finished(block(tmp_path/f"{n}{is_}", is_, coulomb(0.3),
+                                   cells=(n, n))) for is_ in (False, True))
+        e, e1 = own.energies, one.energies
+        start = e["total:kinetic"][0]
+        end, end1 = (c.momentumOf("stiff")[-1] for c in (own, one))
+        p.append(np.linalg.norm(end - end1)
+                 / np.linalg.norm(end1 - one.momentumOf("stiff")[0]))
+        strain.append(1 - max(e["soft:strain"])/max(e1["soft:strain"]))
+        energy.append(1 - own.totalEnergy[-1]/one.totalEnergy[-1])
+    total = own.momentumOf()[:, 0]
+    with figures("blocks of 10 to 40 cells, own steps against one") as f:
+        f.falling("difference of the momentum / its change", p)
+        f.atMost("on the finest", p[-1], 0.01)
+        f.falling("largest strain energy, less by", strain)
+        f.atMost("on the finest", strain[-1], 0.03)
+        f.falling("energy at the end, less by", energy)
+        f.atMost("on the finest", energy[-1], 0.03)
+        f.atMost("balance at the end", abs(e["total:balance"][-1])/start, 2e-3)
