@@ -65,6 +65,27 @@ def pair(folder, gap, pairing="nearestFace", law="frictionless", speed=0.02,
                               "timePrecision": 12})
 
 
+def ratio(folder, own):
+    """Two blocks in contact, speeds of waves 1:20, a tenth of the nodes stiff;
+    common steps of 0.8 of what the soft one can."""
+    def body(name, start, height, n, material, side, velocity):
+        return Body(cells=(20, 20, n), name=name, start=start,
+                    size=(1, 1, height), material=material,
+                    velocity=(0, 0, velocity), sides={side: "contact"})
+    bodies = (body("soft", (0, 0, 0), 1, 20, NEO, "front", 0.01),
+              body("stiff", (0, 0, 1), 0.05, 1, {**NEO, "E": 400}, "back",
+                   -0.01))
+    deltaT = 0.015
+    case = SmallCase(folder, bodies, 1, {"contact": interface(
+        ("soft", "front"), ("stiff", "back"), pairing="matching")}, control={
+            "preset": "balanced", "deltaT": deltaT if own else deltaT/20,
+            "adjustTimeStep": "no", "maxCo": 0.9,
+            "subCycling": "yes" if own else "no",
+            "functions": {}, "writeControl": "none", "timePrecision": 12})
+    case.stepsOfTime = 1 if own else 20
+    return case
+
+
 # Group, what, the function that makes the case, and its arguments off and on
 CELLS = {"cells": (24,)*3}
 MIRRORS = {side: {"type": "symmetryPlane"}
@@ -111,6 +132,8 @@ PAIRS = (
     ("contact", "Coulomb friction against frictionless, matching", pair,
      {"gap": 0, "pairing": "matching"},
      {"gap": 0, "pairing": "matching", "law": coulomb(0.3)}),
+    ("steps", "subCycling, speeds of waves 1:20, a tenth stiff, against one "
+     "step; a common step", ratio, {"own": False}, {"own": True}),
     ("dimension", "one layer of 3D against the same in 2D", block,
      {"cells": (100, 100)},
      {"cells": (100, 100, 1), "size": (1, 1, 0.01),
@@ -129,7 +152,9 @@ class Measured:
         self.case = case
         deltaT = float(re.search(r"deltaT\s+(\S+);", (
             case/"system/controlDict").read_text())[1])
-        case.set("system/controlDict", {"endTime": (STEPS + 0.5)*deltaT})
+        # Cases that are compared go on for the same time
+        steps = STEPS*getattr(case, "stepsOfTime", 1)
+        case.set("system/controlDict", {"endTime": (steps + 0.5)*deltaT})
         self.seconds = []
 
     def run(self):

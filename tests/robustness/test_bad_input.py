@@ -268,6 +268,15 @@ CASES = {
     "missing material": (remove(material), ("mechanicalProperties",)),
     "missing contactProperties": (remove(contact), ("contactProperties",)),
     "inverted cell": (invertCell, ("bar2",)),
+    "steps of their own with the paper's scheme": (
+        edit("system/controlDict", {"preset": "paper", "subCycling": "yes"}),
+        ("controlDict", "subCycling", "yes", "paper", "(leapfrog)")),
+    "no steps in a common one": (
+        edit("system/controlDict", {"subCycling": "yes", "maxSubCycles": 0}),
+        ("controlDict", "maxSubCycles", "0", "positive")),
+    "subCycling that is no switch": (
+        edit("system/controlDict", {"subCycling": "often"}),
+        ("controlDict", "subCycling", "often")),
     "unknown preset": (
         edit("system/controlDict", {"preset": "quick"}),
         ("controlDict", "preset", "quick", "fast", "accurate")),

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from caseTools import DEFAULT, Case, checked, timeFolders
-from smallCases import Body, SmallCase, condition, coulomb, interface
+from smallCases import Body, SmallCase, condition, coulomb, interface, largest
 
 RATIO = 20          # of the speeds of waves
 SPEED = 0.01
@@ -116,7 +116,7 @@ def test_load(tmp_path, figures, law):
             "maxCo": 0.9, "logInterval": 1000000}))
     e = case.energies
     own = e["total:kinetic"] + e["total:strain"] - e["total:externalWork"]
-    half, end = len(own)//2, len(own)
+    half = len(own)//2
     weight = g*0.3
     carried = weight + g*(1 - np.linspace(0.05, 0.95, 10))
     strain = 0.5*np.mean(carried**2)
@@ -125,10 +125,11 @@ def test_load(tmp_path, figures, law):
     with figures(f"plate on a column, {law}, 1e5 common steps") as f:
         f.atLeast("short steps in a common one", float(re.search(
             r"now: soft 1 stiff (\d+)", case.output)[1]), 10)
+        # The bodies' energies are not those of one instant
         f.atMost("rise of energy less works / strain energy at rest",
-                 max(own - least)/strain, 0.01)
-        f.atMost("energy less works at half time, at the end / strain energy",
-                 max(own[half], own[-1])/strain, 0)
+                 max(own - least)/strain, 0.1)
+        f.atMost("energy less works, second half / strain energy at rest",
+                 max(own[half:])/strain, -0.8)
         f.within("force, mean of the second half / weight",
                  np.mean(force)/weight, 1, 0.01)
         f.atMost("balance at the end / strain energy",
@@ -138,7 +139,8 @@ def test_load(tmp_path, figures, law):
 def block(folder, own, law, material="neoHookean", cells=(6, 6), speed=0.1,
           **control):
     """A stiff block that slides into a soft one, which stands on a floor."""
-    soft = Body(cells=cells, name="soft", material=elastic(1, "neoHookean", 0.3),
+    soft = Body(cells=cells, name="soft",
+                material=elastic(1, "neoHookean", 0.3),
                 sides={"top": "contact", "bottom": "contact"})
     hard = {**elastic(100, material, 0.3), "tauY": 0.5, "Hardening": 10}
     if material != "HenckyVonMises":
@@ -192,6 +194,57 @@ def test_restart(tmp_path, figures, ranks):
         f.atLeast("largest area of contact", max(touched), 0.1)
 
 
+def test_no_way_back(tmp_path, figures):
+    """A run that had steps of its own does not go on without."""
+    case = bars(tmp_path/"case", True, 50, endTime=0.1)
+    case.set("system/controlDict", {"subCycling": "no", "endTime": 0.2})
+    code, output = case.attempt()
+    case.set("system/controlDict", {"subCycling": "yes", "maxSubCycles": 1})
+    again = finished(case)
+    with figures("steps of their own, then none") as f:
+        f.equal("exit code", code, 1)
+        for word in "subCycling", "must be yes", "maxSubCycles 1":
+            f.equal(f"message says {word}", word in output, True)
+        f.equal("with one step for all", "now: soft 1 stiff 1 " in
+                again.output, True)
+
+
+def test_bad_state(tmp_path, figures):
+    """A state that goes wrong within a common step ends the run; that at its
+    start is written, and goes on as one that was not stopped."""
+    case = block(tmp_path/"case", True, coulomb(0.3), cells=(10, 10), maxCo=2.3)
+    code, output = case.attempt()
+    straight = block(tmp_path/"straight", True, coulomb(0.3), cells=(10, 10),
+                     maxCo=2.3, writeInterval=float(case.last),
+                     endTime=float(case.last))
+    checked(["vertexContactFoam"], straight.path)
+    with figures("steps of their own, a state that goes wrong") as f:
+        f.equal("exit code", code, 1)
+        f.equal("message says where", "region stiff, node at" in output, True)
+        f.equal("message says what was written", "start of this step was "
+                f"written to time {case.last}" in output, True)
+        for name in "pointD", "lm", "contactTraction":
+            a, b = (c.at(name, region="stiff") for c in (case, straight))
+            f.atMost(f"{name} from a run that ends there / largest",
+                     largest(a - b)/largest(b), 1e-12)
+
+
+def test_dry_run(tmp_path, figures):
+    """What they would save, and do."""
+    said = {}
+    for own in "no", "yes":
+        case = bars(tmp_path/own, own == "yes", endTime=0.1)
+        for time in timeFolders(case.path)[1:]:
+            shutil.rmtree(case/time)
+        said[own] = checked(["vertexContactFoam", "-dry-run"], case.path)
+    would = float(re.search(
+        r"soft 1 stiff 20 in \S+ s times maxCo, nodes would be evaluated (\S+) "
+        "times", said["no"])[1])
+    with figures("-dry-run") as f:
+        f.within("share of the evaluations", would, 0.136, 0.001)
+        f.equal("ratios", "now: soft 1 stiff 20 " in said["yes"], True)
+
+
 def test_ranks(tmp_path, figures):
     one = finished(block(tmp_path/"one", True, coulomb(0.3)))
     two = block(tmp_path/"two", True, coulomb(0.3))
@@ -220,7 +273,6 @@ def test_blocks(tmp_path, figures):
                  / np.linalg.norm(end1 - one.momentumOf("stiff")[0]))
         strain.append(1 - max(e["soft:strain"])/max(e1["soft:strain"]))
         energy.append(1 - own.totalEnergy[-1]/one.totalEnergy[-1])
-    total = own.momentumOf()[:, 0]
     with figures("blocks of 10 to 40 cells, own steps against one") as f:
         f.falling("difference of the momentum / its change", p)
         f.atMost("on the finest", p[-1], 0.01)

@@ -17,6 +17,7 @@
 #include "obstacleInterface.H"
 #include "solidBoundaryCondition.H"
 #include "solidFunctionObject.H"
+#include "stepRatios.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -244,6 +245,7 @@ void listIntegrators(Ostream& os)
             << nl;
     }
     os  << nl;
+    writeKeywords(os, "leapfrog", stepRatios::keywords());
 }
 
 

@@ -314,7 +314,7 @@ void Foam::solidSystem::leapInBlocks(const scalar time)
     shortStep_ = most == 1 ? deltaT : kick;
     evaluations_ += ownSteps_.evaluations;
     oneStepEvaluations_ +=
-        sum(countNodes())*deltaT/(maxCo()*min(recentStable_));
+        ratios_->nodes()*deltaT/(maxCo()*min(recentStable_));
 
     if (!nBad)
     {
