@@ -584,7 +584,7 @@ void Foam::solidBody::leap
 (
     const scalar time,
     const scalar deltaT,
-    const scalar half,
+    const scalar kick,
     const scalar step,
     const bool energy,
     powers& accounts
@@ -604,7 +604,7 @@ void Foam::solidBody::leap
             {
                 const label k = a*D.value + i;
                 old[k] = lm[k];
-                lm[k] += half*rate[i];
+                lm[k] += kick*rate[i];
             }
         }
     });
@@ -629,9 +629,9 @@ void Foam::solidBody::leap
         scalarField& v = work_;
         forAll(v, k) v[k] = 0.5*perRho*(data_.old.lm[k] + lm[k]);
         const powers p(powersOf(v));
-        accounts.numericalDissipation += half*p.numericalDissipation;
-        accounts.external += half*p.external;
-        accounts.contact += half*p.contact;
+        accounts.numericalDissipation += kick*p.numericalDissipation;
+        accounts.external += kick*p.external;
+        accounts.contact += kick*p.contact;
         for (const label a : fixedNodes_)
         {
             if (dual_.sharing().owned()[a])
@@ -647,7 +647,7 @@ void Foam::solidBody::leap
     }
 
     if (d > 1) holdDissipation();
-    nBadCollected_ = variational_->move(data_, *x_, deltaT, half);
+    nBadCollected_ = variational_->move(data_, *x_, deltaT, kick);
     collected_ = true;
     oldStep_ = lastStep_;
     data_.state.sinceCommit = deltaT;

@@ -88,8 +88,8 @@ def settling(folder, on, friction, cells, ratio, weight, steps, **how):
     the base's; on 'tied': to the base, paired by AMI. Without friction no
     block rests on a body for ever: the base is softer towards its edges, the
     block slides off. That is physics. Here it is held in the middle by
-    symmetry, and has only to lose energy: nothing else stops the two bodies
-    from swinging together."""
+    symmetry, and has only to lose energy: what swings along the base comes to
+    rest slowly, on fine bases not within a million steps."""
     n, g = counts(cells), weight
     material, cp, _ = rubber(0.3)
     fine = round(2*ratio*n[0]), n[1], *(round(ratio*m) for m in n[2:])

@@ -210,7 +210,7 @@ Foam::generalInterface::pairStates() const
     const label n = surfaces_.size();
     for (const label k : past_.sortedToc())
     {
-        if (keys_.found(k)) continue;
+        if (findSortedIndex(keys_, k) >= 0) continue;
         const contactSide& a = surfaces_[k/n];
         const contactSide& b = surfaces_[k % n];
         states.append
