@@ -512,7 +512,9 @@ def rewrite(case, file, **entries):
     (fileModificationSkew)."""
     text = (case/file).read_text()
     for key, value in entries.items():
-        text, n = re.subn(rf"\b{key}\s+[^;]*;", f"{key} {value};", text)
+        # The first: function objects follow, with intervals of their own
+        text, n = re.subn(rf"\b{key}\s+[^;]*;", f"{key} {value};", text,
+                          count=1)
         assert n == 1, key
     (case/"rewritten").write_text(text)
     os.utime(case/"rewritten", (time.time() + 60,)*2)
