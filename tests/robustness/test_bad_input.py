@@ -93,8 +93,41 @@ def history(name, contents):
         f"{contents} }}"))
 
 
+def held(contents):
+    """The far side of bar 1."""
+    return replace(velocity, r"left\s*\{[^}]*\}", f"left {{ {contents} }}")
+
+
 # What is wrong, how it gets wrong, and what the message must name
 CASES = {
+    "component of a velocity": (
+        held("type fixedVelocity; velocity (0 0 0); components (x w);"),
+        ("pointU", "components", "'w'", "(x y z)")),
+    "component that is left out": (
+        held("type fixedVelocity; velocity (0 0 0); components (y);"),
+        ("pointU", "left", "components", "(x)")),
+    "components twice": (
+        held("type fixedVelocity; velocity (0 0 0); components (x x);"),
+        ("pointU", "components", "'x'", "twice")),
+    "components and direction": (
+        held("type fixedDisplacement; displacement 0; direction (1 0 0); "
+             "components (x);"),
+        ("pointU", "components", "direction", "exclude")),
+    "direction without length": (
+        held("type fixedDisplacement; displacement 0; direction (0 0 0);"),
+        ("pointU", "direction", "(0 0 0)", "above 0")),
+    "displacement that is missing": (
+        held("type fixedDisplacement; velocity (0 0 0);"),
+        ("pointU", "velocity", "displacement")),
+    "displacement that jumps": (
+        held("type fixedDisplacement; displacement (0.1 0 0);"),
+        ("pointU", "left", "displacement", "(0.1 0 0)", "jump")),
+    "displacement in the paper's scheme": (
+        paper(held("type fixedDisplacement; displacement (0 0 0);")),
+        ("pointU", "left", "fixedDisplacement", "preset paper")),
+    "reactions of nothing": (
+        history("reactionForces", ""),
+        ("controlDict", "mine", "reactionForces", "fixedVelocity")),
     "frequency of a filter": (
         history("contactForces", "filterFrequency -3;"),
         ("controlDict", "filterFrequency", "-3", "positive")),

@@ -441,6 +441,7 @@ Foam::solidBody::solidBody
     }
 
     makeCorners();
+    checkMotions();
     if (data_.variational)
     {
         variational_ = variationalKernel::New(data_);
@@ -781,6 +782,19 @@ void Foam::solidBody::finishRates(const scalar time, const bool energy)
     evaluated_ = true;
     reusable_ = true;
     addBodyForces(time, energy);
+    if (reactions_.valid())
+    {
+        const label d = dual_.nDim();
+        forAll(reactions_->nodes, k)
+        {
+            const scalar* rate =
+                data_.rates.cdata() + reactions_->nodes[k]*data_.strideRates;
+            for (label i = 0; i < d; ++i)
+            {
+                reactions_->freeRates[k*d + i] = rate[i];
+            }
+        }
+    }
     if (data_.variational) react();
 
     if (symmetry_.active())
@@ -951,6 +965,7 @@ void Foam::solidBody::restoreOld()
         data_.state.assignSolved(data_.old);
     }
     data_.state.sinceCommit = 0;
+    if (reactions_.valid()) reactions_->patches = reactions_->old;
     if (keptCpi_.size())
     {
         data_.state.Cpi = keptCpi_;

@@ -248,6 +248,7 @@ void Foam::solidBody::readState()
             << removed/data_.rho << " m/s normal to a symmetry plane was "
             << "removed" << endl;
     }
+    if (data_.variational) checkStart();
 
     if (hasContact_)
     {

@@ -12,6 +12,7 @@ Description
 
 #include "solidBody.H"
 #include "solidBoundaryCondition.H"
+#include "prescribedMotion.H"
 #include "largestEigenvalue.H"
 #include "passTimes.H"
 
@@ -19,34 +20,58 @@ Description
 
 void Foam::solidBody::findSurfaceNodes()
 {
-    // A node of several such patches has the velocity of the first one; also
+    // A node of several such patches has the motion of the first one; also
     // on ranks that have none of its faces there
-    scalarField patchOf(dual_.nNodes(), GREAT);
+    scalarField placeOf(dual_.nNodes(), GREAT);
+    DynamicList<heldPatch> held;
+    DynamicList<directionConstraint::condition> along;
     for (const dualPatch& patch : dual_.patches())
     {
         const label patchi = patch.patchIndex;
-        if (!corners_.set(patchi) || !condition(patchi).fixesVelocity())
+        const prescribedMotion* motion =
+            corners_.set(patchi) ? condition(patchi).motion() : nullptr;
+        if (!motion) continue;
+        if (!motion->complete())
         {
+            along.append
+            (
+                directionConstraint::condition
+                {
+                    patchi, motion->ofDisplacement(), motion->directions()
+                }
+            );
             continue;
         }
         for (const label a : patch.cornerNode)
         {
-            patchOf[a] = min(patchOf[a], scalar(patchi));
+            placeOf[a] = min(placeOf[a], scalar(held.size()));
         }
+        held.append
+        (
+            heldPatch
+            {
+                patchi, motion->ofDisplacement(), FixedList<scalar, 3>(Zero)
+            }
+        );
     }
-    dual_.sharing().min(patchOf.data(), 1);
+    dual_.sharing().min(placeOf.data(), 1);
 
-    DynamicList<label> nodes, patches;
-    forAll(patchOf, a)
+    DynamicList<label> nodes, places;
+    forAll(placeOf, a)
     {
-        if (patchOf[a] < 0.1*GREAT)
+        if (placeOf[a] < 0.1*GREAT)
         {
             nodes.append(a);
-            patches.append(label(patchOf[a] + 0.5));
+            places.append(label(placeOf[a] + 0.5));
         }
     }
     fixedNodes_.transfer(nodes);
-    fixedPatch_.transfer(patches);
+    fixedPlace_.transfer(places);
+    held_.transfer(held);
+    directions_ = directionConstraint(dual_, symmetry_, along, fixedNodes_);
+    directionPatches_.setSize(along.size());
+    forAll(along, i) directionPatches_[i] = along[i].patch;
+    directionValues_.setSize(along.size()*dual_.nDim(), Zero);
 
     scalarField touches(dual_.nNodes(), Zero);
     for (const dualPatch& patch : dual_.patches())
@@ -58,7 +83,7 @@ void Foam::solidBody::findSurfaceNodes()
         }
     }
     dual_.sharing().max(touches.data(), 1);
-    DynamicList<label> inContact, fixed;
+    DynamicList<label> inContact, fixed, someWay;
     forAll(touches, a)
     {
         if (touches[a] > 0.5) inContact.append(a);
@@ -67,8 +92,13 @@ void Foam::solidBody::findSurfaceNodes()
     {
         if (touches[a] > 0.5) fixed.append(a);
     }
+    forAll(directions_.nodes(), i)
+    {
+        if (touches[directions_.nodes()[i]] > 0.5) someWay.append(i);
+    }
     contactNodes_.transfer(inContact);
     fixedContactNodes_.transfer(fixed);
+    directionContacts_.transfer(someWay);
 }
 
 
@@ -336,7 +366,7 @@ void Foam::solidBody::computeForces(const bool energy)
         if
         (
             patch.nFaces() && corners_.set(patchi)
-         && !condition(patchi).fixesVelocity()
+         && !condition(patchi).motion()
          && !condition(patchi).contact()
         )
         {
@@ -371,6 +401,7 @@ void Foam::solidBody::holdDissipation()
         for (label i = 0; i < d; ++i) damping[a*stride + i] = 0;
     };
     for (const label a : fixedNodes_) isHeld(a);
+    if (directions_.active()) directions_.project(damping, stride);
     if (hasContact_)
     {
         for (const label a : contactNodes_)
@@ -408,7 +439,30 @@ void Foam::solidBody::addContactForces()
         for (label i = 0; i < d; ++i) sum[a*d + i] = contactForce_[a*d + i];
     }
     dual_.sharing().sum(sum.data(), d);
+    if (reactions_.valid())
+    {
+        for (const label k : reactions_->touching)
+        {
+            const label a = reactions_->nodes[k];
+            for (label i = 0; i < d; ++i)
+            {
+                reactions_->contactRates[k*d + i] = sum[a*d + i];
+            }
+        }
+    }
     if (symmetry_.active()) symmetry_.project(sum.data(), d);
+    for (const label k : directionContacts_)
+    {
+        const label a = directions_.nodes()[k];
+        const bool owned = dual_.sharing().owned()[a];
+        directions_.project
+        (
+            sum.data() + a*d, k, [&](const label i, const scalar f)
+            {
+                if (owned) externalForce_[a*d + i] -= f;
+            }
+        );
+    }
     for (const label a : fixedContactNodes_)
     {
         for (label i = 0; i < d; ++i)
@@ -502,6 +556,110 @@ void Foam::solidBody::react()
             rate[i] = 0;
         }
     }
+    forAll(directions_.nodes(), k)
+    {
+        const label a = directions_.nodes()[k];
+        const bool owned = dual_.sharing().owned()[a];
+        directions_.project
+        (
+            data_.rates.data() + a*data_.strideRates, k,
+            [&](const label i, const scalar f)
+            {
+                if (owned) externalForce_[a*d + i] -= f;
+            }
+        );
+    }
+}
+
+
+void Foam::solidBody::impose(const scalar time, const scalar deltaT)
+{
+    const label d = dual_.nDim();
+    const auto set = [&]
+    (
+        const label patchi,
+        const bool ofDisplacement,
+        scalar* value
+    )
+    {
+        const vector v
+        (
+            condition(patchi).motion()->value
+            (
+                ofDisplacement ? time + deltaT : time + 0.5*deltaT
+            )
+        );
+        for (label i = 0; i < d; ++i) value[i] = v[dual_.directions()[i]];
+    };
+
+    scalar* lm = data_.state.lm.data();
+    for (heldPatch& h : held_) set(h.patch, h.ofDisplacement, h.value.data());
+    forAll(fixedNodes_, k)
+    {
+        const label a = fixedNodes_[k];
+        const heldPatch& h = held_[fixedPlace_[k]];
+        for (label i = 0; i < d; ++i)
+        {
+            lm[a*d + i] =
+                data_.rho
+               *(
+                    h.ofDisplacement
+                  ? (h.value[i] - data_.state.disp[a*d + i])/deltaT
+                  : h.value[i]
+                );
+        }
+    }
+
+    forAll(directionPatches_, c)
+    {
+        const label patchi = directionPatches_[c];
+        set
+        (
+            patchi, condition(patchi).motion()->ofDisplacement(),
+            directionValues_.data() + c*d
+        );
+    }
+    directions_.impose
+    (
+        lm, data_.state.disp.cdata(), directionValues_, data_.rho, deltaT
+    );
+}
+
+
+Foam::scalar Foam::solidBody::imposedWork(const scalarField& velocity) const
+{
+    const label d = dual_.nDim();
+    const scalar* v = velocity.cdata();
+    const scalar* lm = data_.state.lm.cdata();
+    const scalar* old = data_.old.lm.cdata();
+    scalar work = 0;
+    for (const label a : fixedNodes_)
+    {
+        if (dual_.sharing().owned()[a])
+        {
+            for (label i = 0; i < d; ++i)
+            {
+                work +=
+                    dual_.nodeVolume()[a]*v[a*d + i]
+                   *(lm[a*d + i] - old[a*d + i]);
+            }
+        }
+    }
+    forAll(directions_.nodes(), k)
+    {
+        const label a = directions_.nodes()[k];
+        if (!dual_.sharing().owned()[a]) continue;
+        scalar change[3];
+        for (label i = 0; i < d; ++i) change[i] = lm[a*d + i] - old[a*d + i];
+        directions_.project
+        (
+            change, k, [&](const label i, const scalar along)
+            {
+                work += dual_.nodeVolume()[a]*v[a*d + i]*along;
+            }
+        );
+    }
+    return work;
 }
 
 
@@ -608,18 +766,7 @@ void Foam::solidBody::leap
             }
         }
     });
-    forAll(fixedNodes_, k)
-    {
-        const label a = fixedNodes_[k];
-        const vector v
-        (
-            condition(fixedPatch_[k]).velocity(time + 0.5*deltaT)
-        );
-        for (label i = 0; i < d; ++i)
-        {
-            lm[a*d + i] = data_.rho*v[dual_.directions()[i]];
-        }
-    }
+    impose(time, deltaT);
     if (symmetry_.active()) symmetry_.project(lm, d);
 
     if (energy)
@@ -632,19 +779,9 @@ void Foam::solidBody::leap
         accounts.numericalDissipation += kick*p.numericalDissipation;
         accounts.external += kick*p.external;
         accounts.contact += kick*p.contact;
-        for (const label a : fixedNodes_)
-        {
-            if (dual_.sharing().owned()[a])
-            {
-                for (label i = 0; i < d; ++i)
-                {
-                    accounts.external +=
-                        dual_.nodeVolume()[a]*v[a*d + i]
-                       *(lm[a*d + i] - data_.old.lm[a*d + i]);
-                }
-            }
-        }
+        accounts.external += imposedWork(v);
     }
+    if (reactions_.valid()) accountReactions(kick);
 
     if (d > 1) holdDissipation();
     nBadCollected_ = variational_->move(data_, *x_, deltaT, kick);

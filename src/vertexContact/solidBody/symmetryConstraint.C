@@ -131,8 +131,8 @@ Foam::symmetryConstraint::symmetryConstraint
         dual.sharing().sum(areas[i].data(), d);
     }
 
-    DynamicList<label> nodes, start;
-    DynamicList<scalar> normals;
+    DynamicList<label> nodes, start, patch;
+    DynamicList<scalar> normals, given;
     start.append(0);
 
     for (label a = 0; a < dual.nNodes(); ++a)
@@ -149,6 +149,7 @@ Foam::symmetryConstraint::symmetryConstraint
                 continue;
             }
             for (label j = 0; j < d; ++j) n[j] = areas[i][a*d + j]/magS;
+            const FixedList<scalar, 3> its(n);
 
             // Orthogonal to those before; parallel ones add nothing
             for (label k = first; k < normals.size(); k += d)
@@ -160,9 +161,14 @@ Foam::symmetryConstraint::symmetryConstraint
             scalar magN = 0;
             for (label j = 0; j < d; ++j) magN += sqr(n[j]);
             magN = std::sqrt(magN);
-            if (magN > 1e-3)
+            if (magN > parallel)
             {
-                for (label j = 0; j < d; ++j) normals.append(n[j]/magN);
+                for (label j = 0; j < d; ++j)
+                {
+                    normals.append(n[j]/magN);
+                    given.append(its[j]);
+                }
+                patch.append(patchIDs[i]);
             }
         }
         if (normals.size() > first)
@@ -175,6 +181,8 @@ Foam::symmetryConstraint::symmetryConstraint
     nodes_.transfer(nodes);
     start_.transfer(start);
     normals_ = scalarField(normals);
+    given_ = scalarField(given);
+    patch_.transfer(patch);
 }
 
 

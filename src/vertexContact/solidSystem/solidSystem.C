@@ -946,6 +946,20 @@ void Foam::solidSystem::accountEnergies()
 }
 
 
+void Foam::solidSystem::accountReactions()
+{
+    bool on = true;
+    for (solidBody& body : bodies_)
+    {
+        if (body.reactionsOn()) continue;
+        body.accountReactions();
+        on = false;
+    }
+    // They need the rates of this instant
+    if (!on) evaluate(runTime_.value(), 0);
+}
+
+
 Foam::solidSystem::energies Foam::solidSystem::bodyEnergies
 (
     const label i
@@ -1027,6 +1041,10 @@ void Foam::solidSystem::startStep()
         {
             bodies_[i].keepPlasticity();
         }
+    }
+    for (solidBody& body : bodies_)
+    {
+        body.startReactions();
     }
     for (contactInterface& contact : interfaces_)
     {

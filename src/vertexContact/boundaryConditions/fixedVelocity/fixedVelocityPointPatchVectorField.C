@@ -6,23 +6,39 @@ Class
     Foam::fixedVelocityBoundary
 
 Description
-    Prescribed velocity of pointU, imposed through the flux of a rigid
-    neighbour (39): t^B = t + [z_p n n + z_s (I - n n)] (v^B - v).
-    A velocity of zero clamps the surface.
+    Prescribed velocity of pointU: all of it, some components, or what is along
+    a direction (prescribedMotion). A velocity of zero clamps the surface.
+
+    Nodes of such a patch have that velocity in the middle of each step, and
+    their reaction is the force that is left (reactionForces). With \c preset
+    \c paper it is imposed through the flux of a rigid neighbour (39),
+    t^B = t + [z_p n n + z_s (I - n n)] (v^B - v), and all of it only.
 
 Usage
     \verbatim
         base
         {
-            type     fixedVelocity;
-            velocity (0 0 0);   // [m/s], constant or any Function1 of time
+            type       fixedVelocity;
+            velocity   (0 0 0);   // [m/s], constant or any Function1 of time
+        }
+        slider
+        {
+            type       fixedVelocity;
+            velocity   (0 0 0);
+            components (x z);     // y is free
+        }
+        ramp
+        {
+            type       fixedVelocity;
+            direction  (1 1 0);   // the rest is free
+            velocity   2;         // along it
         }
     \endverbatim
 
 \*---------------------------------------------------------------------------*/
 
 #include "solidPointPatchField.H"
-#include "timeValue.H"
+#include "prescribedMotion.H"
 #include "acousticRiemann.H"
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
@@ -32,40 +48,33 @@ namespace Foam
 
 class fixedVelocityBoundary
 {
-    timeValue<vector> velocity_;
+    prescribedMotion motion_;
 
 public:
 
     static keywordList keywords()
     {
-        return
-        {
-            {
-                "velocity", "m/s", "required",
-                "vector, or any Function1 of time"
-            },
-            {"velocityCoeffs", "", "none", "coefficients of the Function1"}
-        };
+        return prescribedMotion::keywords("velocity", "m/s");
     }
 
     fixedVelocityBoundary() = default;
 
     explicit fixedVelocityBoundary(const dictionary& dict)
     :
-        velocity_("velocity", dict)
+        motion_(dict, "velocity", false)
     {}
 
-    void write(Ostream& os) const { velocity_.write(os); }
+    void write(Ostream& os) const { motion_.write(os); }
 
     bool tractionFree() const { return false; }
 
     bool contact() const { return false; }
 
-    vector velocity(const scalar time) const { return velocity_(time); }
+    const prescribedMotion& motion() const { return motion_; }
 
     void solve(const scalar time, cornerStates& c) const
     {
-        const vector vWall = velocity_(time);
+        const vector vWall = motion_.value(time);
         for (label i = 0; i < c.size(); ++i)
         {
             const acousticRiemann::side body

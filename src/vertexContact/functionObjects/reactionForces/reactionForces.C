@@ -1,0 +1,224 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "reactionForces.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace functionObjects
+{
+    defineTypeNameAndDebug(reactionForces, 0);
+    addSolidFunctionObject(reactionForces);
+}
+}
+
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Numbers of a patch: impulse, work, impulse of the step
+constexpr Foam::label nSums = 7;
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::word Foam::functionObjects::reactionForces::nameOf
+(
+    const label bodyi,
+    const label patchi
+) const
+{
+    const solidBody& body = solids_.bodies()[bodyi];
+    return word
+    (
+        body.name() + '.' + body.mesh().boundaryMesh()[patchi].name(), false
+    );
+}
+
+
+Foam::scalarList Foam::functionObjects::reactionForces::collect
+(
+    scalarList& times
+) const
+{
+    DynamicList<scalar> sums, its;
+    forAll(patches_, i)
+    {
+        const solidBody& body = solids_.bodies()[i];
+        for (const label patchi : patches_[i])
+        {
+            const solidBody::patchReaction& r = body.reaction(patchi);
+            for (const scalar c : r.impulse) sums.append(c);
+            sums.append(r.work);
+            for (const scalar c : r.stepImpulse) sums.append(c);
+            its.append(body.reactionTime());
+        }
+    }
+    times = its;
+    scalarList all(sums);
+    Pstream::listCombineGather(all, plusEqOp<scalar>());
+    return all;
+}
+
+
+void Foam::functionObjects::reactionForces::writeRecord(Ostream& os) const
+{
+    scalarList times;
+    scalarList sums(collect(times));
+    Pstream::listCombineScatter(sums);
+    os  << "    patches (";
+    forAll(patches_, i)
+    {
+        for (const label patchi : patches_[i])
+        {
+            os  << " \"" << nameOf(i, patchi).c_str() << '"';
+        }
+    }
+    os  << ");" << nl << "    times (";
+    for (const scalar t : times) os  << ' ' << t;
+    os  << ");" << nl << "    sums (";
+    for (const scalar s : sums) os  << ' ' << s;
+    os  << ");" << nl;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::functionObjects::reactionForces::reactionForces
+(
+    const word& name,
+    const Time& runTime,
+    const dictionary& dict
+)
+:
+    solidFunctionObject(name, runTime, dict),
+    patches_(solids_.bodies().size())
+{
+    checkKeywords(dict, keywords());
+
+    label n = 0;
+    forAll(patches_, i)
+    {
+        const solidBody& body = solids_.bodies()[i];
+        if (!body.variational())
+        {
+            FatalIOErrorInFunction(dict)
+                << "Function object '" << name << "' of type '" << type()
+                << "' does not go with preset paper, whose boundary "
+                << "conditions are fluxes" << exit(FatalIOError);
+        }
+        patches_[i] = body.reactingPatches();
+        n += patches_[i].size();
+    }
+    if (n == 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Function object '" << name << "' of type '" << type()
+            << "': no patch holds nodes. Valid types in pointU: "
+            << "(fixedDisplacement fixedVelocity slip), and mirrors"
+            << exit(FatalIOError);
+    }
+
+    solids_.accountReactions();
+    const dictionary record(solids_.functionRecord(name));
+    if (record.found("patches"))
+    {
+        const List<string> names(record.get<List<string>>("patches"));
+        const scalarList times(record.get<scalarList>("times"));
+        const scalarList sums(record.get<scalarList>("sums"));
+        forAll(patches_, i)
+        {
+            for (const label patchi : patches_[i])
+            {
+                const label k = names.find(nameOf(i, patchi));
+                if (k < 0) continue;
+                const scalar* s = sums.cdata() + k*nSums;
+                solidBody::patchReaction r;
+                if (Pstream::master())
+                {
+                    r.impulse = vector(s[0], s[1], s[2]);
+                    r.work = s[3];
+                    r.stepImpulse = vector(s[4], s[5], s[6]);
+                }
+                solids_.continueReaction(i, patchi, r, times[k]);
+            }
+        }
+    }
+    solids_.keepRecord(name, [this](Ostream& os) { writeRecord(os); });
+
+    file_ = openFile("reactions.dat");
+    if (Pstream::master())
+    {
+        OFstream& os = *file_;
+        os  << "# Time[s]";
+        forAll(patches_, i)
+        {
+            for (const label patchi : patches_[i])
+            {
+                const word patch(nameOf(i, patchi));
+                for
+                (
+                    const char* c :
+                    {
+                        "Fx[N]", "Fy[N]", "Fz[N]",
+                        "Ix[N.s]", "Iy[N.s]", "Iz[N.s]", "work[J]"
+                    }
+                )
+                {
+                    os  << ' ' << patch.c_str() << ':' << c;
+                }
+            }
+        }
+        os  << endl;
+    }
+
+    writeFirstRow();
+}
+
+
+// * * * * * * * * * * * * * * * * Destructor  * * * * * * * * * * * * * * * //
+
+Foam::functionObjects::reactionForces::~reactionForces()
+{
+    // The bodies may be gone first
+    if (runTime_.foundObject<solidSystem>("solidSystem"))
+    {
+        solids_.dropRecord(name());
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::functionObjects::reactionForces::writeRow()
+{
+    scalarList times;
+    const scalarList sums(collect(times));
+    if (Pstream::master())
+    {
+        *file_ << runTime_.value();
+        forAll(times, k)
+        {
+            const scalar* s = sums.cdata() + k*nSums;
+            for (label c = 4; c < 7; ++c)
+            {
+                *file_ << ' ' << (times[k] > 0 ? s[c]/times[k] : scalar(0));
+            }
+            for (label c = 0; c < 4; ++c) *file_ << ' ' << s[c];
+        }
+        *file_ << endl;
+    }
+    return true;
+}
+
+
+// ************************************************************************* //
