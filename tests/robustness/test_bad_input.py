@@ -187,6 +187,9 @@ CASES = {
     "correction too large": (
         edit(schemes, {"vertexCentred/correction": 0.6}),
         ("fvSchemes", "correction", "0.6", "0.5")),
+    "less dissipation at fronts than elsewhere": (
+        edit(schemes, {"vertexCentred/frontDissipation": 0.2}),
+        ("fvSchemes", "frontDissipation", "0.2", "0.25")),
     "unknown cells": (
         edit(schemes, {"vertexCentred/cells": "simplical"}),
         ("fvSchemes", "simplical", "simplicial")),

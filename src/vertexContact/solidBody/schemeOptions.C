@@ -125,6 +125,17 @@ Foam::schemeOptions::schemeOptions
             dict, "correction", correction, "at least 0 and at most 0.5"
         );
         volume = readEnum(volumeNames, dict, "volume", volume);
+        frontDissipation = readNumberOrDefault
+        (
+            dict, "frontDissipation", dimless, frontDissipation
+        );
+        require
+        (
+            frontDissipation >= dissipation && frontDissipation <= 1,
+            dict, "frontDissipation", frontDissipation,
+            ("at least dissipation (" + Foam::name(dissipation)
+          + "), and at most 1").c_str()
+        );
         return;
     }
 
@@ -194,6 +205,10 @@ Foam::keywordList Foam::schemeOptions::variationalKeywords() const
                 volumeNames,
                 "Jacobian of the energy, by Poisson's ratio or as told"
             )
+        },
+        {
+            "frontDissipation", "-", Foam::name(frontDissipation),
+            "dissipation at fronts, which the step has to bear; at most 1"
         }
     };
 }

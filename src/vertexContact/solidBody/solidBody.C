@@ -450,6 +450,7 @@ Foam::solidBody::solidBody
             new variationalData
             (
                 data_, options_.correction, options_.dissipation,
+                options_.frontDissipation,
                 data_.state.solvesJ
             )
         );

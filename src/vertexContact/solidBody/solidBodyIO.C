@@ -728,7 +728,7 @@ void Foam::solidBody::report(Ostream& os) const
             << " components" << nl
             << "    largest frequency " << largestFrequency_
             << " 1/s (undeformed), dissipation " << options_.dissipation
-            << " to 1";
+            << " to " << options_.frontDissipation;
     }
     else
     {

@@ -280,7 +280,8 @@ void variationalKernelTemplate<D, finite>::fluxLoop
         );
         const edgeDissipation<D, lanes> f
         (
-            m, c, CC, factor, leftOut, x.epsilon + (1 - x.epsilon)*leftOut,
+            m, c, CC, factor, leftOut,
+            x.epsilon + (x.frontEpsilon - x.epsilon)*leftOut,
             halfZp, halfZs
         );
 

@@ -30,11 +30,13 @@ Foam::variationalData::variationalData
     const vertexData& d,
     const scalar beta,
     const scalar epsilon,
+    const scalar frontEpsilon,
     const bool smoothed
 )
 :
     beta(beta),
     epsilon(epsilon),
+    frontEpsilon(frontEpsilon),
     smoothed(smoothed),
     area(inBlocks(d, d.nDim())),
     reach(inBlocks(d, d.nDim())),

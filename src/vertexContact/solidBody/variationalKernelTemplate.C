@@ -362,7 +362,8 @@ lanes variationalKernelTemplate<D, finite>::timeScales
             squares += scalar(i == j ? 1 : 2)*waves[k]*waves[k];
         }
     }
-    lanes damping = 0.5*perV*largestOf(trace, squares);
+    lanes damping =
+        (0.5*x.frontEpsilon)*perV*largestOf(trace, squares);
     if (x.smoothed)
     {
         // Of the waves of largest frequency half is in the differences

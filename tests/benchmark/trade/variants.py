@@ -2,8 +2,8 @@
 'balanced' and from 'paper', and combinations that may be worth their cost."""
 
 # Of vertexCentred in fvSchemes, of controlDict and of contactProperties
-SCHEME = ("cells", "correction", "dissipation", "volume", "reconstruction",
-          "limiter", "kinematics", "jacobian", "waveSpeed")
+SCHEME = ("cells", "correction", "dissipation", "frontDissipation", "volume",
+          "reconstruction", "limiter", "kinematics", "jacobian", "waveSpeed")
 CONTROL = ("maxCo", "timeIntegrator")
 CONTACT = ("pairing", "updateDistance", "transfer")
 
@@ -21,6 +21,7 @@ SINGLE = {
         "cells": ("simplicialSingle", "native"),
         "correction": ("0.5",),
         "dissipation": ("0.1", "0.5", "1"),
+        "frontDissipation": ("0.25", "0.5"),
         "volume": ("nodal", "smoothed"),
         "maxCo": ("0.2", "0.6", "0.8", "0.98")},
     PAPER: {

@@ -61,7 +61,7 @@ struct scheme
             dual, true, kinematicSet::F, true, reconstructionType::none,
             limiterType::none, 1, 2, 3, 1.5
         ),
-        x(d, beta, 0.5, false),
+        x(d, beta, 0.5, 1, false),
         kernel(variationalKernel::New(d)),
         nDim(dual.nDim()),
         n(dual.nNodes())
