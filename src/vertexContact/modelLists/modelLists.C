@@ -15,6 +15,7 @@
 #include "contactPairing.H"
 #include "generalInterface.H"
 #include "obstacleInterface.H"
+#include "obstacleMotion.H"
 #include "solidBoundaryCondition.H"
 #include "solidFunctionObject.H"
 #include "stepRatios.H"
@@ -78,7 +79,7 @@ void listMaterials(Ostream& os)
     );
     writeKeywords
     (
-        os, "all, with one of the pairs (E nu), (mu lambda), (mu kappa)",
+        os, "all but rigid, with one of (E nu), (mu lambda), (mu kappa)",
         materialModel::commonKeywords()
     );
     writeModels<materialModel>(os);
@@ -116,6 +117,11 @@ void listPairings(Ostream& os)
     (
         os, "an interface with an obstacle instead",
         obstacleInterface::keywords()
+    );
+    writeKeywords
+    (
+        os, "'motion' of an obstacle, and of a rigid region",
+        obstacleMotion::keywords()
     );
     os  << "'type' of an obstacle (searchableSurface of OpenFOAM)" << nl
         << "    "

@@ -18,6 +18,7 @@
 #include "patchRim.H"
 #include "pointPatchFields.H"
 #include "IOdictionary.H"
+#include "rigidMaterial.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -59,10 +60,11 @@ schemeOptions readOptions
 
 autoPtr<materialModel> readMaterial
 (
-    const polyMesh& mesh,
+    const medianDual& dual,
     const schemeOptions& options
 )
 {
+    const polyMesh& mesh = dual.mesh();
     const IOdictionary dict
     (
         solidIO
@@ -71,6 +73,13 @@ autoPtr<materialModel> readMaterial
             IOobject::MUST_READ
         )
     );
+    if (rigidMaterial::describedBy(dict))
+    {
+        return autoPtr<materialModel>
+        (
+            new rigidMaterial(rigidMass(dict, dual).density)
+        );
+    }
     return materialModel::New(dict, options.jacobian);
 }
 
@@ -367,7 +376,7 @@ Foam::solidBody::solidBody
     ),
     options_(readOptions(mesh_, defaults)),
     dual_(mesh_, options_.cells),
-    material_(readMaterial(mesh_, options_)),
+    material_(readMaterial(dual_, options_)),
     pointU_
     (
         IOobject
@@ -442,7 +451,17 @@ Foam::solidBody::solidBody
 
     makeCorners();
     checkMotions();
-    if (data_.variational)
+    if (isA<rigidMaterial>(*material_))
+    {
+        makeRigid();
+        variational_ = variationalKernel::New(data_);
+        findSurfaceNodes();
+        if (hasContact_)
+        {
+            contactForce_.setSize(dual_.nNodes()*dual_.nDim(), Zero);
+        }
+    }
+    else if (data_.variational)
     {
         variational_ = variationalKernel::New(data_);
         x_.reset
@@ -479,6 +498,7 @@ Foam::solidBody::solidBody
         kernel_ = vertexKernel::New(data_);
     }
     readState();
+    if (rigid_.valid()) fitRigid();
 }
 
 
@@ -639,6 +659,7 @@ void Foam::solidBody::setGravity(const vector& g)
     {
         gravity_[i] = g[dual_.directions()[i]];
     }
+    if (rigid_.valid()) rigid_->setGravity(expand(gravity_.cdata()));
 }
 
 
@@ -664,6 +685,7 @@ void Foam::solidBody::prepare
     const bool wavesAnew
 )
 {
+    if (rigid_.valid()) return;
     if (data_.variational)
     {
         deform();
@@ -743,6 +765,7 @@ void Foam::solidBody::computeGradients()
 
 void Foam::solidBody::computeFluxes(const bool energy)
 {
+    if (rigid_.valid()) return;
     if (data_.variational)
     {
         computeForces(energy);
@@ -782,6 +805,11 @@ void Foam::solidBody::finishRates(const scalar time, const bool energy)
 {
     evaluated_ = true;
     reusable_ = true;
+    if (rigid_.valid())
+    {
+        evaluateRigid(time);
+        return;
+    }
     addBodyForces(time, energy);
     if (reactions_.valid())
     {
@@ -818,6 +846,11 @@ void Foam::solidBody::finishRates(const scalar time, const bool energy)
 
 Foam::scalar Foam::solidBody::timeScale(const bool anew)
 {
+    if (rigid_.valid())
+    {
+        // It turns by a third at most
+        return 1/(3*mag(rigid_->presentSpin()) + 1/GREAT);
+    }
     if (waveSumIsConstant_)
     {
         return constantTimeScale_;
@@ -860,12 +893,13 @@ Foam::scalar Foam::solidBody::timeScale(const bool anew)
 
 Foam::scalar Foam::solidBody::fastestStretching() const
 {
-    return data_.variational && !waveSumIsConstant_ ? x_->fastest : 0;
+    return x_.valid() && !waveSumIsConstant_ ? x_->fastest : 0;
 }
 
 
 Foam::label Foam::solidBody::findNodeWithin(const scalar timeScale) const
 {
+    if (rigid_.valid()) return -1;
     for (label a = 0; a < dual_.nNodes(); ++a)
     {
         if (timeScaleOf(a) <= timeScale) return a;
@@ -876,6 +910,7 @@ Foam::label Foam::solidBody::findNodeWithin(const scalar timeScale) const
 
 Foam::scalar Foam::solidBody::largestGradient() const
 {
+    if (rigid_.valid()) return 0;
     scalar largest = 0;
     for (label a = 0; a < dual_.nNodes(); ++a)
     {
@@ -888,6 +923,7 @@ Foam::scalar Foam::solidBody::largestGradient() const
 Foam::scalar Foam::solidBody::largestSpeed() const
 {
     const label d = dual_.nDim();
+    placeAll();
     scalar largest = 0;
     for (label a = 0; a < dual_.nNodes(); ++a)
     {
@@ -951,6 +987,13 @@ void Foam::solidBody::restoreMomentum()
 
 void Foam::solidBody::restoreOld()
 {
+    if (rigid_.valid())
+    {
+        rigid_->restore(block_.valid());
+        lastStep_ = block_.valid() ? block_->lastStep : oldStep_;
+        placeSurface();
+        return;
+    }
     if (data_.variational)
     {
         data_.state.lm = block_.valid() ? block_->lm : data_.old.lm;
@@ -977,6 +1020,7 @@ void Foam::solidBody::restoreOld()
 
 Foam::label Foam::solidBody::findBadNode() const
 {
+    if (rigid_.valid()) return rigid_->finite() || !dual_.nNodes() ? -1 : 0;
     const label d = dual_.nDim();
     for (label a = 0; a < dual_.nNodes(); ++a)
     {
@@ -1008,6 +1052,10 @@ Foam::label Foam::solidBody::findBadNode() const
 
 Foam::scalar Foam::solidBody::kineticEnergy() const
 {
+    if (rigid_.valid())
+    {
+        return rigid_->kineticEnergy(lastStep_, evaluated_);
+    }
     scalar sum = 0;
     withDirections(dual_.nDim(), [&](auto D)
     {
@@ -1024,6 +1072,7 @@ Foam::scalar Foam::solidBody::kineticEnergy() const
 
 Foam::scalar Foam::solidBody::strainEnergy() const
 {
+    if (rigid_.valid()) return 0;
     scalar sum = material_->totalStrainEnergy(data_.state, ownedVolume_);
     if (data_.variational) sum += variational_->jumpEnergy(data_, *x_);
     return sum;
@@ -1032,6 +1081,7 @@ Foam::scalar Foam::solidBody::strainEnergy() const
 
 Foam::scalar Foam::solidBody::mass() const
 {
+    if (rigid_.valid()) return Pstream::master() ? rigid_->mass() : 0;
     scalar volume = 0;
     for (label a = 0; a < dual_.nNodes(); ++a)
     {
@@ -1051,6 +1101,7 @@ Foam::vector Foam::solidBody::meanVelocity() const
 
 Foam::vector Foam::solidBody::linearMomentum() const
 {
+    if (rigid_.valid()) return rigid_->linearMomentum();
     scalar sum[3] = {};
     withDirections(dual_.nDim(), [&](auto D)
     {
@@ -1069,6 +1120,8 @@ Foam::vector Foam::solidBody::linearMomentum() const
 
 Foam::vector Foam::solidBody::angularMomentum() const
 {
+    if (rigid_.valid()) return rigid_->angularMomentum();
+
     // x_i p_j - x_j p_i. No component can change that has a direction left out
     // in both factors
     tensor sum(Zero);

@@ -40,6 +40,12 @@ void Foam::solidBody::completeContact()
 void Foam::solidBody::keepStart()
 {
     if (!block_.valid()) block_.reset(new stepBlock);
+    if (rigid_.valid())
+    {
+        rigid_->keepStart();
+        block_->lastStep = lastStep_;
+        return;
+    }
     block_->lm = data_.state.lm;
     block_->disp = data_.state.disp;
     block_->acceleration = x_->acceleration;
@@ -49,7 +55,7 @@ void Foam::solidBody::keepStart()
 
 void Foam::solidBody::keepFreeRates()
 {
-    if (!hasContact_) return;
+    if (!hasContact_ || rigid_.valid()) return;
     if (!block_.valid()) block_.reset(new stepBlock);
     const label d = dual_.nDim();
     scalarField& rates = block_->freeRates;
@@ -70,7 +76,7 @@ void Foam::solidBody::keepFreeRates()
 
 void Foam::solidBody::restoreFreeRates()
 {
-    if (!hasContact_) return;
+    if (!hasContact_ || rigid_.valid()) return;
     const label d = dual_.nDim();
     forAll(contactNodes_, k)
     {

@@ -146,7 +146,7 @@ void Foam::solidBody::readState()
         }
     }
 
-    if (data_.variational)
+    if (data_.variational && !rigid_.valid())
     {
         // Also where this processor has no node of the body
         if (d > 1)
@@ -163,6 +163,10 @@ void Foam::solidBody::readState()
             }
         }
         deform();
+    }
+    else if (rigid_.valid())
+    {
+        // Of what it is moved like
     }
     else if (F.valid())
     {
@@ -359,7 +363,7 @@ void Foam::solidBody::visitFields(const Use& use) const
         "lm", dimDensity*dimVelocity,
         [&](const label a) { return expand(s.lm.cdata() + a*d); }
     );
-    if (data_.variational && d > 1)
+    if (x_.valid() && d > 1)
     {
         use
         (
@@ -539,6 +543,8 @@ void Foam::solidBody::visitContactFields(const Use& use) const
 
 void Foam::solidBody::write()
 {
+    placeAll();
+
     // Velocity, with its boundary conditions
     {
         vectorField& U = pointU_.primitiveFieldRef();
@@ -595,6 +601,7 @@ Foam::wordList Foam::solidBody::fieldNames() const
 
 Foam::solidBody::nodalField Foam::solidBody::field(const word& name) const
 {
+    placeAll();
     nodalField result;
     const auto one = [&]
     (
@@ -711,6 +718,16 @@ void Foam::solidBody::report(Ostream& os) const
     const auto onOff = [](const bool on) { return on ? "on" : "off"; };
 
     dual_.report(os);
+    if (rigid_.valid())
+    {
+        rigid_->report(os);
+        os  << nl << "    gravity "
+            << onOff(mag(max(gravity_)) + mag(min(gravity_)) > 0)
+            << ", contact " << onOff(hasContact_) << nl << "    "
+            << label(allBytes/max(nNodes, label(1))) << " bytes per node"
+            << nl;
+        return;
+    }
     os  << "    material " << material_->type()
         << ", rho " << material_->rho() << " kg/m3, cp " << material_->cp()
         << " m/s, cs " << material_->cs() << " m/s" << nl

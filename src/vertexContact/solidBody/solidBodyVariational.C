@@ -431,6 +431,11 @@ void Foam::solidBody::startContact()
 void Foam::solidBody::addContactForces()
 {
     if (!hasContact_) return;
+    if (rigid_.valid())
+    {
+        sumContact();
+        return;
+    }
     const label d = dual_.nDim();
     // Other nodes' sums are not used
     scalarField& sum = work_;
@@ -704,6 +709,14 @@ Foam::solidBody::powers Foam::solidBody::powersOf
 Foam::solidBody::powers Foam::solidBody::presentPowers() const
 {
     if (!evaluated_) return powers();
+    if (rigid_.valid())
+    {
+        const rigidBody::works now(rigid_->presentPowers(lastStep_));
+        powers p;
+        p.external = now.external;
+        p.contact = now.contact;
+        return p;
+    }
     const label d = dual_.nDim();
     scalarField v(dual_.nNodes()*d);
     for (label a = 0; a < dual_.nNodes(); ++a)
@@ -716,6 +729,12 @@ Foam::solidBody::powers Foam::solidBody::presentPowers() const
 
 void Foam::solidBody::keepOld()
 {
+    if (rigid_.valid())
+    {
+        rigid_->keepOld();
+        oldStep_ = lastStep_;
+        return;
+    }
     data_.old.lm = data_.state.lm;
     data_.old.disp = data_.state.disp;
     x_->oldAcceleration = x_->acceleration;
@@ -748,6 +767,11 @@ void Foam::solidBody::leap
     powers& accounts
 )
 {
+    if (rigid_.valid())
+    {
+        leapRigid(time, deltaT, kick, step, energy, accounts);
+        return;
+    }
     const label d = dual_.nDim();
     scalar* lm = data_.state.lm.data();
     const scalar perRho = 1/data_.rho;

@@ -282,6 +282,11 @@ Foam::scalar Foam::solidSystem::stableStep()
         shortest = min(shortest, bodyStep_[i]);
         fastest = max(fastest, bodies_[i].fastestStretching());
     }
+    forAll(bodies_, i)
+    {
+        // It takes the shortest step of all
+        if (bodies_[i].rigid()) bodyStep_[i] = shortest;
+    }
     if (ratios_->active())
     {
         return stableCommonStep();
@@ -571,7 +576,13 @@ void Foam::solidSystem::checkTimeStep()
         leastTimeStep_ =
             runTime_.controlDict().getOrDefault<scalar>
             (
-                "minDeltaT", 1e-6*timeStepLimit_
+                "minDeltaT",
+                1e-6
+               *(
+                    allRigid()
+                  ? min(timeStepLimit_, runTime_.deltaTValue())
+                  : timeStepLimit_
+                )
             );
     }
     if (timeStepLimit_ >= leastTimeStep_)
@@ -803,6 +814,7 @@ Foam::solidSystem::solidSystem(Time& runTime)
 
     ratios_.reset(new stepRatios(runTime.controlDict(), countNodes()));
     checkIntegrator();
+    checkRigid();
 
     IOobject contactIO
     (

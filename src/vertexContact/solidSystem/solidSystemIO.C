@@ -128,6 +128,27 @@ void Foam::solidSystem::checkIntegrator() const
 }
 
 
+bool Foam::solidSystem::allRigid() const
+{
+    bool all = true;
+    for (const solidBody& body : bodies_) all = all && body.rigid();
+    return all;
+}
+
+
+void Foam::solidSystem::checkRigid() const
+{
+    const dictionary& control = runTime_.controlDict();
+    if (allRigid() && control.getOrDefault("adjustTimeStep", true))
+    {
+        FatalIOErrorInFunction(control)
+            << "Keyword 'adjustTimeStep' is yes, but all regions are rigid: "
+            << "nothing says how long a step may be. It must be no, with "
+            << "'deltaT'" << exit(FatalIOError);
+    }
+}
+
+
 void Foam::solidSystem::checkImpacts() const
 {
     // The speed of waves follows the stretch anyway
@@ -253,6 +274,7 @@ void Foam::solidSystem::readSteps(const dictionary& record)
             its.getOrDefault<scalar>("lastStep", commonStep_)
         );
         ratios_->read(i, its);
+        bodies_[i].readRigid(its.subOrEmptyDict("rigid"));
     }
 }
 
@@ -393,7 +415,7 @@ void Foam::solidSystem::reportRange(Ostream& os) const
     forAll(bodies_, i)
     {
         const solidBody& body = bodies_[i];
-        if (!body.data().finiteStrain || !steps_)
+        if (!body.data().finiteStrain || body.rigid() || !steps_)
         {
             continue;
         }
@@ -574,8 +596,14 @@ bool Foam::solidSystem::writeData(Ostream& os) const
             << "    plasticDissipation " << total(accounts_[i].plastic)
             << ';' << nl
             << "    externalWork " << total(accounts_[i].external) << ';' << nl
-            << "    contactWork " << total(accounts_[i].contact) << ';' << nl
-            << '}' << nl;
+            << "    contactWork " << total(accounts_[i].contact) << ';' << nl;
+        if (bodies_[i].rigid())
+        {
+            text<< "    rigid" << nl << "    {" << nl;
+            bodies_[i].writeRigid(text);
+            text<< "    }" << nl;
+        }
+        text<< '}' << nl;
     }
     for (const contactInterface& contact : interfaces_)
     {
@@ -649,7 +677,7 @@ void Foam::solidSystem::reportCost(OSstream& os) const
     if (steps_)
     {
         os  << "Steps: " << steps_ << " in " << stepSeconds_ << " s, "
-            << 1e6*stepSeconds_/(scalar(steps_)*nodes)
+            << 1e6*stepSeconds_/(scalar(steps_)*max(nodes, scalar(1)))
             << " us per node and step" << nl << nl;
         if (passTimes::wanted())
         {

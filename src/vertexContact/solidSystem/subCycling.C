@@ -19,6 +19,8 @@ Foam::scalarField Foam::solidSystem::countNodes() const
     scalarField nodes(bodies_.size(), Zero);
     forAll(bodies_, i)
     {
+        // Of a rigid region none is evaluated
+        if (bodies_[i].rigid()) continue;
         for (const bool mine : bodies_[i].dual().sharing().owned())
         {
             if (mine) ++nodes[i];

@@ -142,12 +142,12 @@ void Foam::bodyInterface::setKernel()
     {
         const label k = plusCorners[i];
         const point& X = points[plus_.body->dual().nodePoint()[plusNode[k]]];
-        plus[i][0] = plus_.body->depth(plus_.patchi)[k];
+        plus[i][0] = plus_.body->massDepth(plus_.patchi)[k];
         for (direction c = 0; c < 3; ++c) plus[i][1 + c] = X[c];
     }
     pairing_->toSlots(plus);
 
-    const scalarField& depth = body.depth(minus_.patchi);
+    const scalarField& depth = body.massDepth(minus_.patchi);
     const scalar minusRho = body.material().rho();
     const scalar plusRho = plus_.body->material().rho();
     scalarField perMass(overlaps.size()), firstGap;
@@ -284,7 +284,7 @@ void Foam::bodyInterface::solveOverlaps()
     const scalar minusGives = body.contactGives();
     const scalar plusGives = plus_.body->contactGives();
     const bool alike = minusGives == plusGives;
-    const scalarField& depth = body.depth(minus_.patchi);
+    const scalarField& depth = body.massDepth(minus_.patchi);
     surfaceAnswer* toMinus = toMinus_.data();
     surfaceAnswer* toPlus = toPlus_.data();
 
@@ -552,6 +552,22 @@ Foam::bodyInterface::bodyInterface
             << "Keyword 'transfer': twoWay belongs to the paper's scheme, "
             << "'preset paper' in controlDict. Valid transfers: (conservative)"
             << exit(FatalIOError);
+    }
+    const auto refuse = [&](const char* why)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Keyword 'sides': " << why << ", region '"
+            << minus_.body->name() << "' and region '" << plus_.body->name()
+            << "': nothing comes of contact between them"
+            << exit(FatalIOError);
+    };
+    if (minus_.body == plus_.body && minus_.body->rigid())
+    {
+        refuse("a rigid region has both sides");
+    }
+    if (minus_.body->immovable() && plus_.body->immovable())
+    {
+        refuse("no force moves either of the rigid regions");
     }
     rememberSlide(law(), minus_);
     resize();

@@ -147,6 +147,10 @@ void Foam::generalInterface::readRules
     const auto meet = [&](const label k)
     {
         const label n = surfaces_.size();
+        const solidBody& a = *surfaces_[k/n].body;
+        const solidBody& b = *surfaces_[k % n].body;
+        // Nothing comes of contact between what no force moves apart
+        if ((&a == &b && a.rigid()) || (a.immovable() && b.immovable())) return;
         if (self || k/n != k % n) rule_[k] = 0;
     };
     if (dict.found("surfaces"))

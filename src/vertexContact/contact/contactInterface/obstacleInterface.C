@@ -61,6 +61,7 @@ void Foam::obstacleInterface::solveForces(const bool firstStage)
     solidBody& body = *side_.body;
     const cornerStates& M = body.corners(side_.patchi);
     const scalarField& depth = body.depth(side_.patchi);
+    const scalarField& massDepth = body.massDepth(side_.patchi);
     const septernion& pose = motion_.pose();
     const scalar deltaT = body.contactStep();
     const bool sticks = law().sticks();
@@ -91,7 +92,7 @@ void Foam::obstacleInterface::solveForces(const bool firstStage)
         p.n = -pose.r().transform(planes_[i].n);
         p.gap = (X - planes_[i].x) & planes_[i].n;
 
-        const contactLayer layer(layerSide(body, depth[k]), {});
+        const contactLayer layer(layerSide(body, massDepth[k]), {});
         layer.set
         (
             p, stretch, (area & p.n) > 0.1*stretch, law().bonded(),
@@ -162,8 +163,22 @@ Foam::obstacleInterface::obstacleInterface
 
     rememberSlide(law(), side_);
 
-    // A hundredth of the time that a wave takes through a face
-    motion_.setInterval(0.01*leastWidth_/side_.body->material().cp());
+    if (side_.body->immovable())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Keyword 'side': no force moves the rigid region '"
+            << side_.body->name() << "', nor an obstacle" << exit(FatalIOError);
+    }
+
+    // A hundredth of the time that a wave takes through a face; of rigid
+    // regions a millionth of the run
+    const Time& run = side_.body->mesh().time();
+    motion_.setInterval
+    (
+        side_.body->rigid()
+      ? 1e-6*(run.endTime().value() - run.startTime().value())
+      : 0.01*leastWidth_/side_.body->material().cp()
+    );
 
     update(side_.body->mesh().time().value(), true);
 }
@@ -177,7 +192,7 @@ Foam::keywordList Foam::obstacleInterface::keywords()
     {
         {"side", "", "required", "region and patch"},
         {"obstacle", "", "required", "dictionary of a searchableSurface"},
-        {"motion", "", "at rest", "dictionary of a solidBodyMotionFunction"},
+        {"motion", "", "at rest", "dictionary, below"},
         {"law", "", "frictionless", "dictionary of the contact law"}
     };
 }

@@ -5,7 +5,37 @@
 \*---------------------------------------------------------------------------*/
 
 #include "obstacleMotion.H"
+#include "dictionaryCheck.H"
+#include "TableBase.H"
 #include "IStringStream.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- Integral of a function from time 0 on. Tables, which OpenFOAM integrates
+//  between their ends only, keep their first and last values beyond them
+vector integralOf(const Function1<vector>& f, const scalar time)
+{
+    if (time <= 0) return vector::zero;
+
+    typedef Function1Types::TableBase<vector> tableType;
+    const auto* table = dynamic_cast<const tableType*>(&f);
+    if (!table) return f.integrate(0, time);
+
+    const scalarField x(table->x());
+    const scalar first = min(max(x.first(), scalar(0)), time);
+    const scalar last = max(min(x.last(), time), first);
+    return
+        first*f.value(x.first()) + (time - last)*f.value(x.last())
+      + (last > first ? f.integrate(first, last) : vector(Zero));
+}
+
+} // End anonymous namespace
+
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -22,6 +52,26 @@ Foam::obstacleMotion::obstacleMotion
 {
     if (dict.found("motion"))
     {
+        const dictionary& motion = dict.subDict("motion");
+        label nGiven = 0;
+        for (const word w : {"displacement", "velocity"})
+        {
+            if (!motion.found(w)) continue;
+            ++nGiven;
+            dictionaryCheck::onlyKeywords(motion, keywords());
+            translation_ = Function1<vector>::New(w, motion);
+            velocity_ = w == "velocity";
+        }
+        if (motion.found("solidBodyMotionFunction")) ++nGiven;
+        if (nGiven != 1)
+        {
+            FatalIOErrorInFunction(motion)
+                << "Keyword 'motion': there must be one of (displacement "
+                << "velocity solidBodyMotionFunction), and there "
+                << (nGiven ? "are more" : "is none") << exit(FatalIOError);
+        }
+        if (translation_.valid()) return;
+
         clock_.reset
         (
             new Time
@@ -39,26 +89,63 @@ Foam::obstacleMotion::obstacleMotion
             )
         );
         function_ =
-            solidBodyMotionFunction::New(dict.subDict("motion"), *clock_);
+            solidBodyMotionFunction::New(motion, *clock_);
     }
-}
-
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-Foam::septernion Foam::obstacleMotion::poseAt(const scalar time)
-{
-    clock_->setTime(time, 0);
-    return function_->transformation();
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::keywordList Foam::obstacleMotion::keywords()
+{
+    return
+    {
+        {
+            "displacement", "m", "or one below",
+            "of all points: vector, or any Function1 of time"
+        },
+        {"displacementCoeffs", "", "none", "coefficients of the Function1"},
+        {
+            "velocity", "m/s", "or one below",
+            "of all points: Function1 of time that can be integrated"
+        },
+        {"velocityCoeffs", "", "none", "coefficients of the Function1"},
+        {
+            "solidBodyMotionFunction", "", "or one above",
+            "name of one of OpenFOAM, with its coefficients"
+        }
+    };
+}
+
+
+Foam::septernion Foam::obstacleMotion::poseAt(const scalar time)
+{
+    if (translation_.valid())
+    {
+        // x = X - t
+        return septernion
+        (
+            velocity_
+          ? vector(-integralOf(*translation_, time))
+          : vector(-translation_->value(time))
+        );
+    }
+    clock_->setTime(time, 0);
+    return function_->transformation();
+}
+
+
 void Foam::obstacleMotion::setTime(const scalar time)
 {
     if (!moves())
     {
+        return;
+    }
+
+    if (velocity_)
+    {
+        pose_ = before_ = after_ = poseAt(time);
+        rate_ = translation_->value(time);
         return;
     }
 
@@ -74,11 +161,35 @@ void Foam::obstacleMotion::setTime(const scalar time)
 Foam::vector Foam::obstacleMotion::velocity(const point& X) const
 {
     return
-        moves()
+        velocity_ ? rate_
+      : moves()
       ? vector
         (
             (after_.transformPoint(X) - before_.transformPoint(X))/interval_
         )
+      : vector(vector::zero);
+}
+
+
+Foam::vector Foam::obstacleMotion::spin() const
+{
+    return moves() ? spin(before_.r(), after_.r(), interval_) : vector(Zero);
+}
+
+
+Foam::vector Foam::obstacleMotion::spin
+(
+    const quaternion& before,
+    const quaternion& after,
+    const scalar interval
+)
+{
+    quaternion turn(after*conjugate(before));
+    if (turn.w() < 0) turn = quaternion(-turn.w(), -turn.v());
+    const scalar s = mag(turn.v());
+    return
+        s > 0
+      ? vector((2*std::atan2(s, turn.w())/(s*interval))*turn.v())
       : vector(vector::zero);
 }
 

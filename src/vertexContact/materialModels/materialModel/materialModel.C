@@ -25,6 +25,18 @@ Foam::materialModel::jacobianFormNames
 });
 
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Moduli of what does not deform, by its density [m2/s2]: the impedance of any
+//  other body, added to it, is lost in round-off
+constexpr Foam::scalar stiffest = 1e60;
+
+} // End anonymous namespace
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::materialModel::materialModel
@@ -94,6 +106,14 @@ Foam::materialModel::materialModel
     require(mu_ > 0, dict, "mu", mu_, "positive");
     require(kappa_ > 0, dict, "kappa", kappa_, "positive");
 }
+
+
+Foam::materialModel::materialModel(const scalar rho)
+:
+    rho_(rho),
+    mu_(stiffest*rho),
+    kappa_(stiffest*rho)
+{}
 
 
 // * * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * //

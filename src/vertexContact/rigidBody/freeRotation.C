@@ -1,0 +1,142 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "freeRotation.H"
+#include <algorithm>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- The quaternion of a turn by an angle about an axis of length one
+quaternion turned(const vector& axis, const scalar angle)
+{
+    return quaternion(std::cos(0.5*angle), std::sin(0.5*angle)*axis);
+}
+
+//- A symmetric tensor with given values along the rows of a tensor
+symmTensor along(const tensor& axes, const vector& values)
+{
+    return
+        values.x()*sqr(axes.x()) + values.y()*sqr(axes.y())
+      + values.z()*sqr(axes.z());
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::freeRotation::freeRotation(const symmTensor& inertia)
+{
+    // Rotations of Jacobi: also where moments are equal
+    tensor A(inertia), V(tensor::I);
+    for (label sweep = 0; sweep < 50; ++sweep)
+    {
+        const scalar off = sqr(A.xy()) + sqr(A.xz()) + sqr(A.yz());
+        if (off <= sqr(1e-17)*magSqr(A)) break;
+        for (direction p = 0; p < 2; ++p)
+        {
+            for (direction q = p + 1; q < 3; ++q)
+            {
+                const scalar apq = A[3*p + q];
+                if (apq == 0) continue;
+                const scalar theta = 0.5*(A[4*q] - A[4*p])/apq;
+                const scalar t =
+                    (theta < 0 ? -1 : 1)
+                   /(mag(theta) + std::sqrt(sqr(theta) + 1));
+                const scalar c = 1/std::sqrt(sqr(t) + 1), s = t*c;
+                tensor J(tensor::I);
+                J[4*p] = J[4*q] = c;
+                J[3*p + q] = s;
+                J[3*q + p] = -s;
+                A = (J.T() & A & J);
+                V = (V & J);
+            }
+        }
+    }
+
+    label order[3] = {0, 1, 2};
+    std::sort
+    (
+        order, order + 3,
+        [&](const label i, const label j) { return A[4*i] < A[4*j]; }
+    );
+    const tensor columns(V.T());
+    const auto axis = [&](const label i)
+    {
+        const scalar* row = columns.cdata() + 3*order[i];
+        return vector(row[0], row[1], row[2]);
+    };
+    moments_ = vector(A[4*order[0]], A[4*order[1]], A[4*order[2]]);
+    axes_ = tensor(axis(0), axis(1), axis(0) ^ axis(1));
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::symmTensor Foam::freeRotation::inertia(const quaternion& q) const
+{
+    return along(axes_ & q.R().T(), moments_);
+}
+
+
+Foam::symmTensor Foam::freeRotation::inverse(const quaternion& q) const
+{
+    return along
+    (
+        axes_ & q.R().T(),
+        vector(1/moments_.x(), 1/moments_.y(), 1/moments_.z())
+    );
+}
+
+
+void Foam::freeRotation::turn
+(
+    quaternion& q,
+    const vector& L,
+    const scalar deltaT
+) const
+{
+    // In the frame of the body L turns the other way
+    vector l(q.invTransform(L));
+    const auto aboutOwn = [&](const direction k, const scalar time)
+    {
+        const vector a(axes_[3*k], axes_[3*k + 1], axes_[3*k + 2]);
+        const scalar speed = (l & a)*(1/moments_[k] - 1/moments_.y());
+        const quaternion r(turned(a, time*speed));
+        q = q*r;
+        l = r.invTransform(l);
+    };
+    aboutOwn(0, 0.5*deltaT);
+    aboutOwn(2, deltaT);
+    aboutOwn(0, 0.5*deltaT);
+
+    const scalar size = mag(L);
+    if (size > 0)
+    {
+        q = turned(L/size, deltaT*size/moments_.y())*q;
+    }
+    q /= mag(q);
+}
+
+
+void Foam::freeRotation::turnAbout
+(
+    quaternion& q,
+    const vector& axis,
+    const scalar angle
+)
+{
+    q = turned(axis, angle)*q;
+    q /= mag(q);
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,583 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "rigidBody.H"
+#include "rigidMaterial.H"
+#include "obstacleMotion.H"
+#include "dictionaryCheck.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+const char axisNames[] = {'x', 'y', 'z'};
+
+//- Inertia in space of one in the reference configuration
+symmTensor turned(const symmTensor& inertia, const quaternion& q)
+{
+    const tensor R(q.R());
+    return symm(R & inertia & R.T());
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::vector Foam::rigidBody::readDirections
+(
+    const dictionary& dict,
+    const word& keyword,
+    const bool all
+) const
+{
+    if (!dict.found(keyword)) return all ? vector::one : vector::zero;
+
+    vector is(Zero);
+    for (const word& w : dict.get<wordList>(keyword))
+    {
+        label which = -1;
+        for (label i = 0; i < 3; ++i)
+        {
+            if (w == word(string(1, axisNames[i]))) which = i;
+        }
+        if (which < 0)
+        {
+            dictionaryCheck::unknownModel
+            (
+                dict, keyword, w, wordList({"x", "y", "z"})
+            );
+        }
+        is[which] = 1;
+    }
+    return is;
+}
+
+
+void Foam::rigidBody::readFreedoms
+(
+    const dictionary& dict,
+    const vectorField& mirrors
+)
+{
+    const bool moved = dict.found("motion");
+    const vector translates
+    (
+        readDirections(dict, "freeTranslation", !moved && !pivot_)
+    );
+    const vector turns(readDirections(dict, "freeRotation", !moved));
+    if (pivot_ && mag(translates) > 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Keyword 'freeTranslation' is "
+            << dict.get<wordList>("freeTranslation")
+            << ", but with 'pivot' the body only turns: it must be ()"
+            << exit(FatalIOError);
+    }
+    if (pivot_ && moved)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Keyword 'motion' does not go with 'pivot', which stays where "
+            << "it is" << exit(FatalIOError);
+    }
+
+    // Directions that the scene has
+    bool solved[3] = {};
+    for (label i = 0; i < nDim_; ++i) solved[directions_[i]] = true;
+    translation_ = tensor::zero;
+    label nAxes = 0;
+    axis_ = vector::zero;
+    for (label i = 0; i < 3; ++i)
+    {
+        if (solved[i] && translates[i] > 0) translation_[4*i] = 1;
+
+        const bool possible =
+            nDim_ == 3 || (nDim_ == 2 && !solved[i]);
+        if (possible && turns[i] > 0)
+        {
+            ++nAxes;
+            axis_[i] = 1;
+        }
+    }
+    if (nAxes == 2)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Keyword 'freeRotation' is " << dict.get<wordList>("freeRotation")
+            << ": rotation may be free about all axes (x y z), about one, or "
+            << "about none ()" << exit(FatalIOError);
+    }
+    rotation_ =
+        nAxes == 3 ? freedom::all
+      : nAxes == 1 ? freedom::axis
+      : freedom::none;
+
+    // Mirrors stay where they are
+    for (const vector& n : mirrors)
+    {
+        const tensor P(tensor::I - n*n);
+        translation_ = (P & translation_ & P);
+        if (rotation_ == freedom::all)
+        {
+            rotation_ = freedom::axis;
+            axis_ = n;
+        }
+        else if (rotation_ == freedom::axis && mag(axis_ & n) < 1 - 1e-6)
+        {
+            rotation_ = freedom::none;
+        }
+    }
+
+    if (rotation_ == freedom::all)
+    {
+        free_.reset(new freeRotation(inertia_));
+    }
+    else if (rotation_ == freedom::axis)
+    {
+        axisInertia_ = axis_ & inertia_ & axis_;
+        if (!(axisInertia_ > 0))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Keyword 'inertia' is " << mass_.inertia
+                << ": about the axis " << axis_ << ", about which the body "
+                << "turns, it must be positive" << exit(FatalIOError);
+        }
+    }
+
+    if (moved && rotation_ != freedom::none && !motion_->translates())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Keyword 'freeRotation' is not (), but the "
+            << "'solidBodyMotionFunction' of 'motion' prescribes the rotation. "
+            << "Motions of translation only: (displacement velocity)"
+            << exit(FatalIOError);
+    }
+}
+
+
+Foam::vector Foam::rigidBody::spin(const state& s, const vector& L) const
+{
+    return
+        rotation_ == freedom::all ? vector(free_->inverse(s.q) & L)
+      : rotation_ == freedom::axis ? vector(L/axisInertia_)
+      : L;
+}
+
+
+Foam::scalar Foam::rigidBody::kinetic
+(
+    const state& s,
+    const vector& P,
+    const vector& L
+) const
+{
+    const vector w(spin(s, L));
+    return
+        0.5*magSqr(P)/mass_.mass
+      + 0.5
+       *(
+            rotation_ == freedom::none
+          ? (w & turned(inertia_, s.q) & w)
+          : (w & L)
+        );
+}
+
+
+Foam::rigidBody::works Foam::rigidBody::powers(const motionState& v) const
+{
+    works p;
+    p.contact =
+        (contact_.force & v.velocity) + (contact_.moment & v.spin);
+    p.external =
+        (applied_.force & translation_ & v.velocity)
+      - (contact_.force & held() & v.velocity)
+      + (
+            rotation_ == freedom::none
+          ? -(contact_.moment & v.spin)
+          : (applied_.moment & v.spin)
+        );
+    return p;
+}
+
+
+Foam::rigidBody::state Foam::rigidBody::present
+(
+    const scalar lastStep,
+    const bool loaded
+) const
+{
+    state s(now_);
+    if (loaded)
+    {
+        const load l(total());
+        s.P += 0.5*lastStep*(translation_ & l.force);
+        if (rotation_ == freedom::all) s.L += 0.5*lastStep*l.moment;
+        if (rotation_ == freedom::axis)
+        {
+            s.L += 0.5*lastStep*(l.moment & axis_)*axis_;
+        }
+    }
+    return s;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::rigidBody::rigidBody
+(
+    const dictionary& dict,
+    const medianDual& dual,
+    const vectorField& mirrors,
+    const Time& runTime
+)
+:
+    directions_(dual.directions()),
+    nDim_(dual.nDim()),
+    mass_(dict, dual),
+    start_(mass_.centre)
+{
+    dictionaryCheck::onlyKeywords
+    (
+        dict, keywordList({{"type", "", "", ""}}) + rigidMaterial::keywords()
+    );
+    if (dict.found("pivot"))
+    {
+        pivot_ = true;
+        const point given(dict.get<point>("pivot"));
+        start_ = point::zero;
+        for (label i = 0; i < nDim_; ++i)
+        {
+            start_[directions_[i]] = given[directions_[i]];
+        }
+    }
+    toCentre_ = mass_.centre - start_;
+    inertia_ = mass_.about(start_);
+    if (dict.found("motion"))
+    {
+        motion_.reset(new obstacleMotion(dict, runTime));
+    }
+    readFreedoms(dict, mirrors);
+
+    hasForce_ = dict.found("force");
+    if (hasForce_) force_ = timeValue<vector>("force", dict);
+    hasMoment_ = dict.found("moment");
+    if (hasMoment_) moment_ = timeValue<vector>("moment", dict);
+}
+
+
+// * * * * * * * * * * * * * * * * Destructor  * * * * * * * * * * * * * * * //
+
+Foam::rigidBody::~rigidBody() = default;
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::rigidBody::compliance(const point& X) const
+{
+    const vector r(X - start_);
+    return
+        (magSqr(translation_) > SMALL ? 1/mass_.mass : 0)
+      + (
+            rotation_ == freedom::all
+          ? magSqr(r)/free_->moments().x()
+          : rotation_ == freedom::axis ? magSqr(r ^ axis_)/axisInertia_
+          : 0
+        );
+}
+
+
+Foam::rigidBody::motionState Foam::rigidBody::motion
+(
+    const scalar lastStep
+) const
+{
+    motionState m{now_.P/mass_.mass, presentSpin()};
+    if (rotation_ == freedom::all)
+    {
+        // Back to the middle of the step
+        m.spin += 0.5*lastStep*(free_->inverse(now_.q) & (m.spin ^ now_.L));
+    }
+    return m;
+}
+
+
+Foam::rigidBody::motionState Foam::rigidBody::acceleration() const
+{
+    motionState a;
+    a.velocity = (translation_ & applied_.force)/mass_.mass;
+    if (rotation_ == freedom::all)
+    {
+        a.spin =
+            free_->inverse(now_.q)
+          & (applied_.moment - (presentSpin() ^ now_.L));
+    }
+    else if (rotation_ == freedom::axis)
+    {
+        a.spin = (applied_.moment & axis_)/axisInertia_*axis_;
+    }
+    return a;
+}
+
+
+Foam::rigidBody::motionState Foam::rigidBody::fullAcceleration() const
+{
+    motionState a(acceleration());
+    a.velocity += (translation_ & contact_.force)/mass_.mass;
+    if (rotation_ == freedom::all)
+    {
+        a.spin += free_->inverse(now_.q) & contact_.moment;
+    }
+    else if (rotation_ == freedom::axis)
+    {
+        a.spin += (contact_.moment & axis_)/axisInertia_*axis_;
+    }
+    return a;
+}
+
+
+bool Foam::rigidBody::finite() const
+{
+    return std::isfinite(magSqr(now_.P) + magSqr(now_.L) + magSqr(now_.shift));
+}
+
+
+void Foam::rigidBody::setPose(const vector& shift, const tensor& rotation)
+{
+    now_.shift = shift;
+    now_.q = quaternion(rotation);
+    now_.q /= mag(now_.q);
+}
+
+
+Foam::rigidBody::motionState Foam::rigidBody::freePart
+(
+    const motionState& v
+) const
+{
+    return motionState
+    {
+        translation_ & v.velocity,
+        rotation_ == freedom::all ? v.spin
+      : rotation_ == freedom::axis ? vector((v.spin & axis_)*axis_)
+      : vector(vector::zero)
+    };
+}
+
+
+void Foam::rigidBody::setMotion(const motionState& v, const scalar time)
+{
+    motionState m(freePart(v));
+    if (motion_.valid())
+    {
+        motion_->setTime(time);
+        m.velocity += held() & motion_->velocity(start_);
+        if (rotation_ == freedom::none) m.spin = motion_->spin();
+    }
+    now_.P = mass_.mass*m.velocity;
+    now_.L =
+        rotation_ == freedom::all ? vector(turned(inertia_, now_.q) & m.spin)
+      : rotation_ == freedom::axis ? vector(axisInertia_*m.spin)
+      : m.spin;
+}
+
+
+void Foam::rigidBody::findLoads(const scalar time)
+{
+    vector f(mass_.mass*gravity_);
+    if (hasForce_) f += force_(time);
+    applied_.force = f;
+    applied_.moment = now_.q.transform(toCentre_) ^ f;
+    if (hasMoment_) applied_.moment += moment_(time);
+    contact_ = load();
+}
+
+
+Foam::rigidBody::works Foam::rigidBody::leap
+(
+    const scalar time,
+    const scalar deltaT,
+    const scalar kick,
+    const bool energy
+)
+{
+    old_ = now_;
+    const load l(total());
+    const scalar perMass = 1/mass_.mass;
+
+    // Momenta
+    now_.P = translation_ & (now_.P + kick*l.force);
+    if (rotation_ == freedom::all) now_.L += kick*l.moment;
+    if (rotation_ == freedom::axis) now_.L += kick*(l.moment & axis_)*axis_;
+    septernion pose(septernion::I);
+    if (motion_.valid())
+    {
+        pose = motion_->poseAt(time + deltaT);
+        const vector way(pose.transformPoint(start_) - start_ - now_.shift);
+        now_.P += mass_.mass/deltaT*(held() & way);
+        if (rotation_ == freedom::none)
+        {
+            now_.L = obstacleMotion::spin(now_.q, pose.r(), deltaT);
+        }
+    }
+    else if (rotation_ == freedom::none)
+    {
+        now_.L = vector::zero;
+    }
+
+    // With the orientation that the loads see
+    works sums;
+    if (energy && Pstream::master())
+    {
+        motionState mean;
+        mean.velocity = 0.5*perMass*(old_.P + now_.P);
+        mean.spin = 0.5*(spin(old_, old_.L) + spin(old_, now_.L));
+        sums = powers(mean);
+        sums.external *= kick;
+        sums.contact *= kick;
+        sums.external += mean.velocity & held() & (now_.P - old_.P);
+    }
+
+    // Position
+    now_.shift += deltaT*perMass*now_.P;
+    if (rotation_ == freedom::all)
+    {
+        free_->turn(now_.q, now_.L, deltaT);
+    }
+    else if (rotation_ == freedom::axis)
+    {
+        freeRotation::turnAbout
+        (
+            now_.q, axis_, deltaT*(now_.L & axis_)/axisInertia_
+        );
+    }
+    else if (motion_.valid())
+    {
+        now_.q = pose.r();
+        if (energy && Pstream::master())
+        {
+            const vector none(Zero);
+            sums.external +=
+                kinetic(now_, none, now_.L) - kinetic(old_, none, old_.L);
+        }
+    }
+    return sums;
+}
+
+
+Foam::scalar Foam::rigidBody::kineticEnergy
+(
+    const scalar lastStep,
+    const bool loaded
+) const
+{
+    if (!Pstream::master()) return 0;
+    const state s(present(lastStep, loaded));
+    return kinetic(s, s.P, s.L);
+}
+
+
+Foam::vector Foam::rigidBody::linearMomentum() const
+{
+    if (!Pstream::master()) return vector::zero;
+    return
+        now_.P
+      + mass_.mass*(presentSpin() ^ now_.q.transform(toCentre_));
+}
+
+
+Foam::vector Foam::rigidBody::angularMomentum() const
+{
+    if (!Pstream::master()) return vector::zero;
+    const vector own
+    (
+        rotation_ == freedom::all
+      ? now_.L
+      : vector(turned(inertia_, now_.q) & presentSpin())
+    );
+
+    // About a pivot the body has all of it, and its momentum counts from there
+    const vector L
+    (
+        ((start_ + now_.shift) ^ linearMomentum()) + own
+    );
+    vector possible(Zero);
+    if (nDim_ == 3) return L;
+    if (nDim_ == 2)
+    {
+        const label out = 3 - directions_[0] - directions_[1];
+        possible[out] = L[out];
+    }
+    return possible;
+}
+
+
+Foam::rigidBody::works Foam::rigidBody::presentPowers
+(
+    const scalar lastStep
+) const
+{
+    if (!Pstream::master()) return works();
+    const state s(present(lastStep, true));
+    return powers(motionState{s.P/mass_.mass, spin(s, s.L)});
+}
+
+
+void Foam::rigidBody::write(Ostream& os) const
+{
+    os  << "    shift " << now_.shift << ';' << nl
+        << "    orientation (" << now_.q.w() << ' ' << now_.q.v().x() << ' '
+        << now_.q.v().y() << ' ' << now_.q.v().z() << ");" << nl
+        << "    momentum " << now_.P << ';' << nl
+        << "    " << (rotation_ == freedom::none ? "spin " : "angularMomentum ")
+        << now_.L << ';' << nl;
+}
+
+
+void Foam::rigidBody::read(const dictionary& record)
+{
+    now_.shift = record.get<vector>("shift");
+    const List<scalar> q(record.get<List<scalar>>("orientation"));
+    now_.q = quaternion(q[0], vector(q[1], q[2], q[3]));
+    now_.P = record.get<vector>("momentum");
+
+    // What is free may have changed since
+    const bool held = record.found("spin");
+    const vector L
+    (
+        record.get<vector>(held ? "spin" : "angularMomentum")
+    );
+    now_.L = held == (rotation_ == freedom::none) ? L : vector(Zero);
+}
+
+
+void Foam::rigidBody::report(Ostream& os) const
+{
+    os  << "    rigid, mass " << mass_.mass << " kg, centre of mass "
+        << mass_.centre << " m, inertia about it " << mass_.inertia
+        << " kg m2" << nl << "    free to translate in (";
+    bool first = true;
+    for (label i = 0; i < 3; ++i)
+    {
+        if (translation_[4*i] > 0.5)
+        {
+            os  << (first ? "" : " ") << axisNames[i];
+            first = false;
+        }
+    }
+    os  << "), to turn about ";
+    if (rotation_ == freedom::all) os << "all axes";
+    else if (rotation_ == freedom::axis) os << "the axis " << axis_;
+    else os << "no axis";
+    if (pivot_) os << ", pivot " << start_;
+    os  << "; force " << (hasForce_ ? "on" : "off")
+        << ", moment " << (hasMoment_ ? "on" : "off")
+        << ", motion " << (motion_.valid() ? "on" : "off");
+}
+
+
+// ************************************************************************* //

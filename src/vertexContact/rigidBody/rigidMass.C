@@ -1,0 +1,177 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "rigidMass.H"
+#include "freeRotation.H"
+#include "dictionaryCheck.H"
+#include "dimensionSets.H"
+#include "polyMesh.H"
+#include "processorPolyPatch.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- Integrals over the cells of a mesh
+struct moments
+{
+    scalar volume = 0;
+    vector first = vector::zero;
+    symmTensor second = symmTensor::zero;
+
+    //- Of the tetrahedron with the origin
+    void add(const vector& a, const vector& b, const vector& c)
+    {
+        const scalar V = ((a ^ b) & c)/6;
+        const vector sum(a + b + c);
+        volume += V;
+        first += 0.25*V*sum;
+        second += V/20*(sqr(a) + sqr(b) + sqr(c) + sqr(sum));
+    }
+};
+
+//- Of all processors, about a point. Collective
+moments integrals(const polyMesh& mesh, const point& origin)
+{
+    moments m;
+    for (const polyPatch& pp : mesh.boundaryMesh())
+    {
+        if (isA<processorPolyPatch>(pp)) continue;
+        for (const face& f : pp)
+        {
+            vector middle(Zero);
+            for (const label p : f) middle += mesh.points()[p] - origin;
+            middle /= f.size();
+            forAll(f, i)
+            {
+                m.add
+                (
+                    middle,
+                    mesh.points()[f[i]] - origin,
+                    mesh.points()[f.nextLabel(i)] - origin
+                );
+            }
+        }
+    }
+    reduce(m.volume, sumOp<scalar>());
+    reduce(m.first, sumOp<vector>());
+    reduce(m.second, sumOp<symmTensor>());
+    return m;
+}
+
+//- Inertia from the integrals of squares
+symmTensor inertiaOf(const symmTensor& second)
+{
+    return tr(second)*symmTensor(symmTensor::I) - second;
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::rigidMass::rigidMass(const dictionary& dict, const medianDual& dual)
+{
+    using namespace dictionaryCheck;
+
+    const polyMesh& mesh = dual.mesh();
+    const label d = dual.nDim();
+    const auto plane = [&](const vector& v)
+    {
+        vector w(Zero);
+        for (label i = 0; i < d; ++i)
+        {
+            w[dual.directions()[i]] = v[dual.directions()[i]];
+        }
+        return w;
+    };
+
+    scalar volume = 0;
+    const auto& owned = dual.sharing().owned();
+    forAll(owned, a)
+    {
+        if (owned[a]) volume += dual.nodeVolume()[a];
+    }
+    reduce(volume, sumOp<scalar>());
+
+    // About the middle of the mesh, which is not far from the origin
+    moments m(integrals(mesh, mesh.bounds().midpoint()));
+    const point middle(mesh.bounds().midpoint() + m.first/m.volume);
+    m = integrals(mesh, middle);
+    centre = plane(middle);
+
+    if (dict.found("rho") == dict.found("mass"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Keyword 'mass': a rigid region has either that or 'rho', and "
+            << (dict.found("rho") ? "both are" : "neither is") << " given"
+            << exit(FatalIOError);
+    }
+    if (dict.found("mass"))
+    {
+        mass = readNumber(dict, "mass", dimMass);
+        require(mass > 0, dict, "mass", mass, "positive");
+        density = mass/volume;
+    }
+    else
+    {
+        density = readNumber(dict, "rho", dimDensity);
+        require(density > 0, dict, "rho", density, "positive");
+        mass = density*volume;
+    }
+
+    inertia = mass/m.volume*inertiaOf(m.second);
+    if (dict.found("centreOfMass"))
+    {
+        centre = plane(dict.get<point>("centreOfMass"));
+    }
+    if (dict.found("inertia"))
+    {
+        inertia = dict.get<symmTensor>("inertia");
+        const vector moments
+        (
+            d == 3
+          ? freeRotation(inertia).moments()
+          : vector(0, 0, 0)
+        );
+        // Of a lamina one is the sum of both others
+        if
+        (
+            d == 3
+         && !(
+                moments.x() > 0
+             && moments.x() + moments.y() > moments.z()*(1 - 1e-6)
+            )
+        )
+        {
+            FatalIOErrorInFunction(dict)
+                << "Keyword 'inertia' is " << inertia
+                << ": its principal moments " << moments
+                << " have to be positive, and none larger than the sum of the "
+                << "others" << exit(FatalIOError);
+        }
+    }
+    else if (dict.found("centreOfMass"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Keyword 'centreOfMass' is given, but not 'inertia' about it"
+            << exit(FatalIOError);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::symmTensor Foam::rigidMass::about(const point& p) const
+{
+    return inertia + mass*inertiaOf(sqr(centre - p));
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,380 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+-------------------------------------------------------------------------------
+Description
+    A region that is rigid: what its nodes do as those of rigidBody, and what
+    contact does to it. In a step only nodes of the surface are moved; all
+    others where something asks for them.
+
+\*---------------------------------------------------------------------------*/
+
+#include "solidBody.H"
+#include "solidBoundaryCondition.H"
+#include "dictionaryCheck.H"
+#include "fileError.H"
+#include "IOdictionary.H"
+#include "Time.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::solidBody::makeRigid()
+{
+    const IOdictionary dict
+    (
+        IOobject
+        (
+            "mechanicalProperties", time_.constant(), mesh_,
+            IOobject::MUST_READ, IOobject::NO_WRITE, false
+        )
+    );
+    if (!data_.variational)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Keyword 'type' is rigid, which does not go with preset paper"
+            << exit(FatalIOError);
+    }
+    if (bodyForces_.size())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Keyword 'type' is rigid, but the region has bodyForces. Use "
+            << "'force' here instead" << exit(FatalIOError);
+    }
+    for (const dualPatch& patch : dual_.patches())
+    {
+        const label patchi = patch.patchIndex;
+        if (!corners_.set(patchi) || condition(patchi).contact()) continue;
+        FatalFileErrorInFunction(pointU_.objectPath())
+            << "Keyword 'boundaryField': patch '"
+            << mesh_.boundaryMesh()[patchi].name() << "' of the rigid region '"
+            << name_ << "' has the type '"
+            << pointU_.boundaryField()[patchi].type()
+            << "'. Valid types: (contact tractionFree); forces and motions "
+            << "are given in mechanicalProperties" << exit(FatalIOError);
+    }
+
+    // One normal a mirror
+    DynamicList<vector> normals;
+    for (const dualPatch& patch : dual_.patches())
+    {
+        if (!mirrorPatches_.found(patch.patchIndex)) continue;
+        vector n(Zero);
+        forAll(patch.cornerNode, k)
+        {
+            n +=
+                patch.cornerArea[k]
+               *expand(patch.cornerNormal.cdata() + k*dual_.nDim());
+        }
+        reduce(n, sumOp<vector>());
+        if (mag(n) > 0) normals.append(n/mag(n));
+    }
+    rigid_.reset(new rigidBody(dict, dual_, vectorField(normals), time_));
+
+    // What contact may push at most
+    scalar area = 0;
+    forAll(corners_, patchi)
+    {
+        if (corners_.set(patchi))
+        {
+            area += sum(corners_[patchi].geometry.cornerArea);
+        }
+    }
+    reduce(area, sumOp<scalar>());
+    massDepth_.setSize(corners_.size());
+    forAll(corners_, patchi)
+    {
+        if (!corners_.set(patchi)) continue;
+        const dualPatch& patch = corners_[patchi].geometry;
+        massDepth_[patchi].setSize(patch.nCorners());
+        forAll(massDepth_[patchi], k)
+        {
+            const scalar perMass =
+                area*rigid_->compliance(reference(patch.cornerNode[k]));
+            massDepth_[patchi][k] = perMass > 0 ? 2/(data_.rho*perMass) : 0;
+        }
+    }
+}
+
+
+void Foam::solidBody::fitRigid()
+{
+    const label d = dual_.nDim();
+
+    // Means, and sums about them: of this rank's share
+    scalar mass = 0;
+    vector meanX(Zero), meanU(Zero), meanV(Zero);
+    const auto displacement = [&](const label a)
+    {
+        return expand(data_.state.disp.cdata() + a*d);
+    };
+    const auto speed = [&](const label a)
+    {
+        return expand(data_.state.lm.cdata() + a*d)/data_.rho;
+    };
+    forAll(ownedVolume_, a)
+    {
+        const scalar V = ownedVolume_[a];
+        mass += V;
+        meanX += V*(reference(a) - rigid_->start());
+        meanU += V*displacement(a);
+        meanV += V*speed(a);
+    }
+    reduce(mass, sumOp<scalar>());
+    meanX = returnReduce(meanX, sumOp<vector>())/mass;
+    meanU = returnReduce(meanU, sumOp<vector>())/mass;
+    meanV = returnReduce(meanV, sumOp<vector>())/mass;
+
+    tensor turned(Zero), own(Zero);
+    vector momentum(Zero);
+    scalar speedSqr = 0;
+    forAll(ownedVolume_, a)
+    {
+        const scalar V = ownedVolume_[a];
+        const vector r(reference(a) - rigid_->start() - meanX);
+        const vector y(r + displacement(a) - meanU);
+        const vector v(speed(a) - meanV);
+        turned += V*(y*r);
+        own += V*(magSqr(y)*tensor::I - y*y);
+        momentum += V*(y ^ v);
+        speedSqr += V*magSqr(speed(a));
+    }
+    reduce(turned, sumOp<tensor>());
+    reduce(own, sumOp<tensor>());
+    reduce(momentum, sumOp<vector>());
+    reduce(speedSqr, sumOp<scalar>());
+
+    // The nearest rotation, by Newton's method for the polar decomposition.
+    // Directions that are left out keep theirs
+    const scalar size = mag(turned);
+    for (direction c = 0; c < 3; ++c)
+    {
+        bool solved = false;
+        for (label i = 0; i < d; ++i)
+        {
+            solved = solved || dual_.directions()[i] == label(c);
+        }
+        if (!solved)
+        {
+            turned[4*c] = size;
+            own[4*c] = max(own[4*c], SMALL*mag(own) + VSMALL);
+        }
+    }
+    tensor R(turned);
+    if (max(mag(data_.state.disp)) > 0 || Pstream::parRun())
+    {
+        for (label i = 0; i < 100; ++i)
+        {
+            const tensor next(0.5*(R + inv(R).T()));
+            const scalar change = magSqr(next - R);
+            R = next;
+            if (change < 1e-30) break;
+        }
+    }
+    else
+    {
+        R = tensor::I;
+    }
+    rigid_->setPose(meanX + meanU - (R & meanX), R);
+
+    rigidBody::motionState v;
+    if (d > 1) v.spin = inv(own) & momentum;
+    if (d == 2)
+    {
+        const label out = 3 - dual_.directions()[0] - dual_.directions()[1];
+        const scalar about = v.spin[out];
+        v.spin = vector::zero;
+        v.spin[out] = about;
+    }
+    v.velocity = meanV - (v.spin ^ (R & meanX));
+    const rigidBody::motionState may(rigid_->freePart(v));
+    scalar lost = 0;
+    forAll(ownedVolume_, a)
+    {
+        const vector r(R & (reference(a) - rigid_->start()));
+        lost +=
+            ownedVolume_[a]
+           *magSqr(speed(a) - may.velocity - (may.spin ^ r));
+    }
+    reduce(lost, sumOp<scalar>());
+    if (lost > 1e-12*speedSqr && !rigid_->driven())
+    {
+        WarningInFunction
+            << "Region " << name_ << ": the velocity at the start (pointU) is "
+            << "not one that this rigid body may have. It begins with "
+            << may.velocity << " m/s and " << may.spin << " 1/s" << endl;
+    }
+    rigid_->setMotion(v, time_.value());
+}
+
+
+void Foam::solidBody::placeNode
+(
+    const label a,
+    const tensor& R,
+    const vector& shift,
+    const rigidBody::motionState& v
+)
+{
+    const label d = dual_.nDim();
+    const FixedList<label, 3>& dir = dual_.directions();
+    const vector r0(reference(a) - rigid_->start());
+    const vector moved((R - tensor::I) & r0);
+    const vector r(r0 + moved);
+    const vector u(shift + moved);
+    const vector lm
+    (
+        data_.rho
+       *(v.velocity + (v.spin ^ (r - 0.5*lastStep_*(v.spin ^ r))))
+    );
+    scalar* F = data_.state.F.data() + a*d*d;
+    for (label i = 0; i < d; ++i)
+    {
+        data_.state.disp[a*d + i] = u[dir[i]];
+        data_.state.lm[a*d + i] = lm[dir[i]];
+        for (label j = 0; j < d; ++j) F[i*d + j] = R[3*dir[i] + dir[j]];
+    }
+    if (data_.state.strideH && d == 3)
+    {
+        for (label k = 0; k < 9; ++k) data_.state.H[9*a + placeH(k)] = R[k];
+    }
+}
+
+
+void Foam::solidBody::setRates
+(
+    const label a,
+    const rigidBody::motionState& v,
+    const rigidBody::motionState& rate
+)
+{
+    const vector r
+    (
+        position(a) - rigid_->start() - rigid_->shift()
+    );
+    const vector f
+    (
+        data_.rho
+       *(rate.velocity + (rate.spin ^ r) + (v.spin ^ (v.spin ^ r)))
+    );
+    const label d = dual_.nDim();
+    for (label i = 0; i < d; ++i)
+    {
+        data_.W[a*data_.strideW + i] = data_.state.lm[a*d + i]/data_.rho;
+        data_.rates[a*data_.strideRates + i] = f[dual_.directions()[i]];
+    }
+}
+
+
+void Foam::solidBody::placeSurface()
+{
+    const tensor R(rigid_->rotation());
+    const rigidBody::motionState v(rigid_->motion(lastStep_));
+    for (const label a : contactNodes_)
+    {
+        placeNode(a, R, rigid_->shift(), v);
+    }
+}
+
+
+void Foam::solidBody::placeAll() const
+{
+    if (!rigid_.valid()) return;
+    solidBody& self = const_cast<solidBody&>(*this);
+    const tensor R(rigid_->rotation());
+    const rigidBody::motionState v(rigid_->motion(lastStep_));
+    const rigidBody::motionState now{v.velocity, rigid_->presentSpin()};
+    const rigidBody::motionState rate(rigid_->fullAcceleration());
+    for (label a = 0; a < dual_.nNodes(); ++a)
+    {
+        self.placeNode(a, R, rigid_->shift(), v);
+        self.setRates(a, now, rate);
+    }
+}
+
+
+void Foam::solidBody::evaluateRigid(const scalar time)
+{
+    rigid_->findLoads(time);
+    nBad_ = rigid_->finite() ? 0 : 1;
+    const rigidBody::motionState v
+    {
+        vector::zero, rigid_->presentSpin()
+    };
+    const rigidBody::motionState rate(rigid_->acceleration());
+    for (const label a : contactNodes_) setRates(a, v, rate);
+}
+
+
+void Foam::solidBody::sumContact()
+{
+    const label d = dual_.nDim();
+    const point centre(rigid_->start() + rigid_->shift());
+    rigidBody::load all;
+    for (const label a : contactNodes_)
+    {
+        const vector f
+        (
+            dual_.nodeVolume()[a]*expand(contactForce_.cdata() + a*d)
+        );
+        all.force += f;
+        all.moment += (projected(position(a)) - centre) ^ f;
+    }
+    const tensor sums
+    (
+        returnReduce
+        (
+            tensor(all.force, all.moment, vector::zero), sumOp<tensor>()
+        )
+    );
+    all.force = sums.x();
+    all.moment = sums.y();
+    rigid_->setContact(all);
+}
+
+
+void Foam::solidBody::leapRigid
+(
+    const scalar time,
+    const scalar deltaT,
+    const scalar kick,
+    const scalar step,
+    const bool energy,
+    powers& accounts
+)
+{
+    const label d = dual_.nDim();
+    for (const label a : contactNodes_)
+    {
+        for (label i = 0; i < d; ++i)
+        {
+            data_.old.lm[a*d + i] = data_.state.lm[a*d + i];
+        }
+    }
+    const rigidBody::works sums(rigid_->leap(time, deltaT, kick, energy));
+    accounts.external += sums.external;
+    accounts.contact += sums.contact;
+    oldStep_ = lastStep_;
+    lastStep_ = step;
+    evaluated_ = false;
+    placeSurface();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::solidBody::readRigid(const dictionary& record)
+{
+    if (!rigid_.valid()) return;
+    if (record.size()) rigid_->read(record);
+    placeAll();
+}
+
+
+void Foam::solidBody::writeRigid(Ostream& os) const
+{
+    if (rigid_.valid()) rigid_->write(os);
+}
+
+
+// ************************************************************************* //
