@@ -108,7 +108,8 @@ void Foam::rigidBody::readFreedoms
     if (nAxes == 2)
     {
         FatalIOErrorInFunction(dict)
-            << "Keyword 'freeRotation' is " << dict.get<wordList>("freeRotation")
+            << "Keyword 'freeRotation' is "
+            << dict.get<wordList>("freeRotation")
             << ": rotation may be free about all axes (x y z), about one, or "
             << "about none ()" << exit(FatalIOError);
     }
