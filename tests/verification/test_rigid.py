@@ -4,7 +4,7 @@ that they touch."""
 import numpy as np
 import pytest
 
-from caseTools import DEFAULT
+from caseTools import DEFAULT, execute
 from smallCases import (FLOOR, RUBBER, Body, SmallCase, coulomb, interface,
                         largest, table)
 
@@ -83,7 +83,8 @@ def test_bounce(tmp_path, figures):
                 largest(case.energies["total:balance"])/E[0], 1e-3)
 
 
-def toolAndBlock(folder, endTime=1, ranks=1, control=None, material=None):
+def toolAndBlock(folder, endTime=1, ranks=1, control=None, material=None,
+                 contact=None):
     """A tool that turns is pressed on a block with friction."""
     tool = Body(cells=(3, 3, 3), name="tool", start=(0.3, 1.01, 0.4),
                 size=(0.5, 0.3, 0.7), sides={"bottom": "contact"},
@@ -95,12 +96,33 @@ def toolAndBlock(folder, endTime=1, ranks=1, control=None, material=None):
                         "bottom": {"type": "fixedVelocity",
                                    "velocity": (0, 0, 0)}})
     case = SmallCase(folder, [tool, block], endTime,
-                     interfaces={"both": interface(
+                     interfaces=contact or {"both": interface(
                          ("tool", "bottom"), ("block", "top"), coulomb(0.3),
                          pairing="nearestFace")},
                      functions=("contactForces",), preset=DEFAULT,
                      control={"writeInterval": endTime/2, **(control or {})})
     return case.run() if ranks == 1 else case.runParallel(ranks)
+
+
+def test_general_contact(tmp_path, figures):
+    """All surfaces with each other: what the named pair gives."""
+    named = toolAndBlock(tmp_path/"named")
+    general = toolAndBlock(tmp_path/"general", contact={
+        "all": {"surfaces": "all", "law": coulomb(0.3)}})
+    a, b = (case.energies["total:contactWork"] for case in (named, general))
+    with figures("rigid tool on a block, all surfaces") as f:
+        f.atMost("contact work, difference / largest",
+                 largest(a - b)/largest(a), 1e-10)
+
+
+def test_known_before_the_run(tmp_path):
+    """-dry-run and checkContact take rigid regions."""
+    case = toolAndBlock(tmp_path)
+    for command in (("vertexContactFoam", "-dry-run"),
+                    ("checkContact", "-time", "0")):
+        done = execute(command, case.path)
+        assert done.returncode == 0, done.stdout
+        assert "tool" in done.stdout
 
 
 def test_parallel(tmp_path, figures):

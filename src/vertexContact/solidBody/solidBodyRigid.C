@@ -75,7 +75,7 @@ void Foam::solidBody::makeRigid()
     scalar area = 0;
     forAll(corners_, patchi)
     {
-        if (corners_.set(patchi))
+        if (corners_.set(patchi) && condition(patchi).contact())
         {
             area += sum(corners_[patchi].geometry.cornerArea);
         }
