@@ -5,7 +5,8 @@ import re
 import pytest
 from PIL import Image
 
-from caseTools import checked, root
+from caseTools import DEFAULT, checked, root
+from smallCases import GmshBody, SmallCase
 
 GUIDE = root/"tutorials"/"README.md"
 BLOCKS = re.findall(r"(?ms)^```sh\n(.*?)^```$", GUIDE.read_text())
@@ -46,3 +47,39 @@ def test_guide(tmp_path, figures, mesh):
     for name in "ball.png", "decomposed.png":
         with Image.open(tmp_path/name) as image:
             assert image.size[0] == 640
+
+
+def fenced(kind):
+    """The only block of the guide of a kind."""
+    block, = re.findall(rf"(?ms)^```{kind}\n(.*?)^```$", GUIDE.read_text())
+    return block
+
+
+class Disc(GmshBody):
+    """In two dimensions, as the guide says."""
+
+    dimensions = 2
+
+    def makeMesh(self, case):
+        (case/"disc.geo").write_text(self.geometry)
+        checked(["bash", "-ec", fenced("console")], case.path)
+
+
+def disc(folder, geometry):
+    body = Disc(name="disc", geometry=geometry, velocity=(1, 0, 0),
+                sides={"rim": "tractionFree",
+                       "frontAndBack": {"type": "empty"}})
+    return SmallCase(folder, body, 1e-3, preset=DEFAULT)
+
+
+def test_two_dimensions(tmp_path, figures):
+    """Prisms, if gmsh is told so; else the error says how."""
+    geometry = fenced("geo")
+    case = disc(tmp_path/"layer", geometry).run()
+    with figures("guide, disc in two dimensions") as f:
+        # Of a density of one, a metre thick
+        f.within("momentum / pi R^2", case.momentumOf()[-1][0]
+                 / (3.14159*0.01**2), 1, 0.02)
+    code, output = disc(tmp_path/"tetrahedra", geometry.replace(
+        "Layers {1}; Recombine;", "")).attempt()
+    assert code != 0 and "Layers {1}; Recombine;" in output, output

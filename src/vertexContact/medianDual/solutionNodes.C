@@ -113,7 +113,8 @@ void Foam::solutionNodes::collapse(const polyMesh& mesh)
                     << " is neither along nor across the empty direction"
                     << (nDim == 1 ? "s" : "") << '.' << nl
                     << "    A mesh with empty patches has to be one straight"
-                    << " layer of cells along a coordinate axis."
+                    << " layer of cells along a coordinate axis." << nl
+                    << "    From gmsh: Layers {1}; Recombine; in Extrude"
                     << exit(FatalIOError);
             }
         }
@@ -196,6 +197,7 @@ void Foam::solutionNodes::check(const polyMesh& mesh)
                 << "D mesh has " << nPointsOfNode << '.' << nl
                 << "    A mesh with empty patches has to be exactly one cell"
                 << " thick, and have empty patches on both sides."
+                << nl << "    From gmsh: Layers {1}; Recombine; in Extrude"
                 << exit(FatalIOError);
         }
 
