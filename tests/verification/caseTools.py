@@ -59,6 +59,21 @@ def timeFolders(folder):
     return sorted(names, key=float)
 
 
+def contents(folder):
+    """Bytes of all files of a folder."""
+    return {file.relative_to(folder): file.read_bytes()
+            for file in Path(folder).rglob("*") if file.is_file()}
+
+
+def differingFiles(expected, found):
+    """Names of files that differ in pairs of contents(), one a rank. With
+    several, sums over them that each continues on its own do not count: one
+    continues from the sum of all, which is equal to round-off."""
+    names = {str(file) for a, b in zip(expected, found)
+             for file in a.keys() | b.keys() if a.get(file) != b.get(file)}
+    return sorted(names - ({"uniform/solidSystem"} if len(found) > 1 else set()))
+
+
 class Case:
     """A case folder, with its results."""
 

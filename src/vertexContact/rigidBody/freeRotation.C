@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "freeRotation.H"
+#include "principalValues.H"
 #include <algorithm>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -35,46 +36,24 @@ symmTensor along(const tensor& axes, const vector& values)
 
 Foam::freeRotation::freeRotation(const symmTensor& inertia)
 {
-    // Rotations of Jacobi: also where moments are equal
-    tensor A(inertia), V(tensor::I);
-    for (label sweep = 0; sweep < 50; ++sweep)
-    {
-        const scalar off = sqr(A.xy()) + sqr(A.xz()) + sqr(A.yz());
-        if (off <= sqr(1e-17)*magSqr(A)) break;
-        for (direction p = 0; p < 2; ++p)
-        {
-            for (direction q = p + 1; q < 3; ++q)
-            {
-                const scalar apq = A[3*p + q];
-                if (apq == 0) continue;
-                const scalar theta = 0.5*(A[4*q] - A[4*p])/apq;
-                const scalar t =
-                    (theta < 0 ? -1 : 1)
-                   /(mag(theta) + std::sqrt(sqr(theta) + 1));
-                const scalar c = 1/std::sqrt(sqr(t) + 1), s = t*c;
-                tensor J(tensor::I);
-                J[4*p] = J[4*q] = c;
-                J[3*p + q] = s;
-                J[3*q + p] = -s;
-                A = (J.T() & A & J);
-                V = (V & J);
-            }
-        }
-    }
+    const tensor A(inertia);
+    const principalValues<3> p(A.cdata(), 0);
 
     label order[3] = {0, 1, 2};
     std::sort
     (
         order, order + 3,
-        [&](const label i, const label j) { return A[4*i] < A[4*j]; }
+        [&](const label i, const label j) { return p.value[i] < p.value[j]; }
     );
-    const tensor columns(V.T());
     const auto axis = [&](const label i)
     {
-        const scalar* row = columns.cdata() + 3*order[i];
-        return vector(row[0], row[1], row[2]);
+        const label k = order[i];
+        return vector(p.n[0][k], p.n[1][k], p.n[2][k]);
     };
-    moments_ = vector(A[4*order[0]], A[4*order[1]], A[4*order[2]]);
+    moments_ = vector
+    (
+        p.value[order[0]], p.value[order[1]], p.value[order[2]]
+    );
     axes_ = tensor(axis(0), axis(1), axis(0) ^ axis(1));
 }
 

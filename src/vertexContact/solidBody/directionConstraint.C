@@ -49,19 +49,11 @@ Foam::directionConstraint::directionConstraint
     {
         scalar e[3];
         for (label j = 0; j < d; ++j) e[j] = n[j];
-        for (label k = start.last(); k < patch.size(); ++k)
-        {
-            scalar along = 0;
-            for (label j = 0; j < d; ++j) along += e[j]*normals[k*d + j];
-            for (label j = 0; j < d; ++j) e[j] -= along*normals[k*d + j];
-        }
-        scalar magE = 0;
-        for (label j = 0; j < d; ++j) magE += sqr(e[j]);
-        magE = std::sqrt(magE);
-        if (magE <= symmetryConstraint::parallel) return;
+        const label first = start.last()*d;
+        if (!symmetryConstraint::makeOrthogonal(d, e, normals, first)) return;
         for (label j = 0; j < d; ++j)
         {
-            normals.append(e[j]/magE);
+            normals.append(e[j]);
             given.append(n[j]);
         }
         patch.append(patchi);

@@ -166,7 +166,7 @@ void Foam::solidBody::readState()
     }
     else if (rigid_.valid())
     {
-        // Of what it is moved like
+        // fitRigid() makes it of where the nodes are
     }
     else if (F.valid())
     {

@@ -152,20 +152,11 @@ Foam::symmetryConstraint::symmetryConstraint
             const FixedList<scalar, 3> its(n);
 
             // Orthogonal to those before; parallel ones add nothing
-            for (label k = first; k < normals.size(); k += d)
-            {
-                scalar along = 0;
-                for (label j = 0; j < d; ++j) along += n[j]*normals[k + j];
-                for (label j = 0; j < d; ++j) n[j] -= along*normals[k + j];
-            }
-            scalar magN = 0;
-            for (label j = 0; j < d; ++j) magN += sqr(n[j]);
-            magN = std::sqrt(magN);
-            if (magN > parallel)
+            if (makeOrthogonal(d, n.data(), normals, first))
             {
                 for (label j = 0; j < d; ++j)
                 {
-                    normals.append(n[j]/magN);
+                    normals.append(n[j]);
                     given.append(its[j]);
                 }
                 patch.append(patchIDs[i]);
