@@ -469,7 +469,7 @@ Foam::solidBody::solidBody
             new variationalData
             (
                 data_, options_.correction, options_.dissipation,
-                options_.frontDissipation,
+                options_.atFronts(dual_.nDim()),
                 data_.state.solvesJ
             )
         );
