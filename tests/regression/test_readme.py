@@ -1,5 +1,6 @@
-"""The README: its tour runs as it stands, its programs and pages exist, and
-the pictures are those that a command of the repository makes."""
+"""The README and the pages that users read: the tour runs as it stands, links,
+programs and options exist, and the pages of keywords and presets are what the
+solver prints."""
 
 import os
 import re
@@ -7,9 +8,15 @@ import re
 import pytest
 
 from caseTools import checked, copyTutorials, root
+from fieldReferences import TUTORIALS
 
 README = (root/"README.md").read_text()
 TOUR = re.findall(r"(?ms)^```sh\n(.*?)^```$", README)
+REFERENCE = root/"tutorials"/"reference"
+PAGES = [root/"README.md", root/"tutorials"/"README.md",
+         root/"tutorials"/"gallery.md", *sorted(REFERENCE.glob("*.md"))]
+TEXT = {page: page.read_text() for page in PAGES}
+ALL = "\n".join(TEXT.values())
 
 
 def test_tour(tmp_path):
@@ -31,20 +38,46 @@ def test_tour(tmp_path):
     assert (case/"case.foam").exists()
 
 
-@pytest.mark.parametrize("link", sorted(set(
-    re.findall(r"\]\(([^)#]+)\)|src=\"([^\"]+)\"", README))))
-def test_links(link):
-    name = "".join(link)
-    assert name.startswith("http") or (root/name).exists()
+def anchors(page):
+    """Of the titles of a page, as GitHub makes them."""
+    titles = re.findall(r"(?m)^#+ (.*)$", re.sub(
+        r"(?ms)^```.*?^```$", "", page.read_text()))
+    return {re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-")
+            for title in titles}
+
+
+@pytest.mark.parametrize(
+    "page", PAGES, ids=lambda page: str(page.relative_to(root)))
+def test_links(page):
+    """Files, and titles in pages, that a page leads to are there."""
+    links = {"".join(link) for link in re.findall(
+        r"\]\(([^)\s]+)\)|src=\"([^\"]+)\"", TEXT[page])}
+    missing = []
+    for link in links:
+        name, _, title = link.partition("#")
+        target = page.parent/name if name else page
+        if not (link.startswith("http") or target.exists()
+                and (not title or title in anchors(target))):
+            missing.append(link)
+    assert missing == []
+
+
+def test_readme_leads_to_each_page():
+    for page in PAGES[1:]:
+        assert f"({page.relative_to(root)}" in README
+
+
+def test_readme_is_short():
+    """A screen and a half, for newcomers; the rest has pages of its own."""
+    assert len(README.splitlines()) <= 120
 
 
 def test_programs():
     """Indented commands, and those between backquotes, name files that there
     are."""
-    named = set(re.findall(r"(?m)^    ((?:tutorials|tests|etc)/[\w/]+)",
-                           README))
+    named = set(re.findall(r"(?m)^    ((?:tutorials|tests|etc)/[\w/]+)", ALL))
     named |= set(re.findall(
-        r"`((?:tutorials|tests|etc|src|applications)/[\w./]+)", README))
+        r"`((?:tutorials|tests|etc|src|applications)/[\w./]+)", ALL))
     assert len(named) > 8
     missing = [name for name in named if not (root/name).exists()]
     assert not missing
@@ -53,9 +86,53 @@ def test_programs():
 
 
 def test_options(tmp_path):
-    """Options of the solver that the README names are those it has."""
+    """Options of the solver that the pages name are those it has."""
     known = checked(["vertexContactFoam", "-help"], tmp_path)
-    for option in set(re.findall(r"`(?:vertexContactFoam )?(-[a-z]\w+)`",
-                                 README)) - {"-quick", "-sanitize"}:
-        if option.startswith(("-list", "-dry")):
-            assert option in known, option
+    named = {option for option in re.findall(
+        r"`(?:vertexContactFoam )?(-[a-z]\w+)`", ALL)
+        if option.startswith(("-list", "-dry"))}
+    assert len(named) >= 9
+    assert [option for option in named if option not in known] == []
+
+
+# The pages of reference
+
+def test_keywords(tmp_path):
+    """The page is what the solver prints. If not, writeKeywords.py mends it."""
+    checked([str(REFERENCE/"writeKeywords.py"), "keywords.md"], tmp_path)
+    assert ((tmp_path/"keywords.md").read_text()
+            == TEXT[REFERENCE/"keywords.md"])
+
+
+def rows(text):
+    """Of the tables in a text, without their heads' rules."""
+    return [[cell.strip(" `") for cell in line.strip("|").split("|")]
+            for line in text.splitlines()
+            if line.startswith("|") and not line.startswith("|---")]
+
+
+def test_presets(tmp_path):
+    """All options of each preset stand in the table as -listPresets has
+    them."""
+    printed = checked(["vertexContactFoam", "-listPresets"], tmp_path)
+    lines = printed.split("the default is balanced\n\n", 1)[1].splitlines()
+    expected = [re.split(r" {2,}", line.strip()) for line in lines if line]
+    head = ["keyword", *expected[0]]
+    table = rows(TEXT[REFERENCE/"options.md"])
+    first = table.index(head)
+    assert table[first:first + len(expected)] == [head, *expected[1:]]
+
+
+def test_gallery():
+    """Each tutorial has its row, with picture, page, and figures."""
+    table = rows(TEXT[root/"tutorials"/"gallery.md"])[1:]
+    assert all(len(row) == 4 and all(row) for row in table)
+    named = [re.search(r"\]\(([^)]+)/README\.md\)$", row[0])[1]
+             for row in table]
+    assert len(named) == len(set(named))
+    assert {path for path, *_ in TUTORIALS} <= set(named)
+    assert set(named) == {
+        str(page.parent.relative_to(root/"tutorials"))
+        for page in (root/"tutorials").rglob("*/README.md")}
+    for name, row in zip(named, table):
+        assert f'src="{name}/picture.png"' in row[0]

@@ -8,7 +8,7 @@ is called by tests/compatibility -run, in an environment with the project built.
 Cases are run in FOLDER, and results left in FOLDER/results.json. REFERENCE is
 such a file of the other release; without it, to make one, only the tutorials are
 run. One line a check, 'ok' or 'FAILED', and at the end a row of the table in
-README.md. The exit code is 0 only if all are ok.
+tutorials/reference/releases.md. The exit code is 0 only if all are ok.
 """
 
 import json
@@ -76,7 +76,7 @@ def verdict(energy, field):
 
 
 def row(release, cells, equal, note):
-    """Of the table in README.md."""
+    """Of the table in tutorials/reference/releases.md."""
     return f"| {release} | " + " | ".join(
         [*(cells.get(column, "not run") for column in COLUMNS), equal,
          note]) + " |"

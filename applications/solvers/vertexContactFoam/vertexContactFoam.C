@@ -65,8 +65,8 @@ int main(int argc, char *argv[])
         "constant/contactProperties, constant/g, and of each region "
         "constant/<region>/polyMesh, mechanicalProperties and bodyForces, "
         "system/<region>/fvSchemes and 0/<region>/pointU.\n"
-        "The options -list... say what may be written there; the README of "
-        "vertexContact and the headers of its classes say more."
+        "The options -list... say what may be written there; "
+        "tutorials/reference and the headers of the classes say more."
     );
     argList::addBoolOption
     (
