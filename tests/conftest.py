@@ -5,6 +5,8 @@ import shutil
 
 import pytest
 
+import searchPath     # first: it has the folders of what is imported below
+
 import caseTools
 
 _figures = []

@@ -21,8 +21,8 @@ from pathlib import Path
 
 here = Path(__file__).resolve().parent
 root = here.parents[1]
-sys.path[:0] = [str(root/"tests"/"verification"), str(root/"tutorials"),
-                str(root/"tutorials"/"twoBarImpact"), str(here/"trade")]
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]/"tools"))
+import searchPath
 
 import numpy as np
 

@@ -18,8 +18,8 @@ import sys
 import tempfile
 from pathlib import Path
 
-root = Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(root/"tests"/"verification"), str(root/"tutorials")]
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]/"tools"))
+import searchPath
 
 import numpy as np
 from foamlib import FoamFile

@@ -5,14 +5,12 @@ and runs it: of that here only what it refuses, and its comparison."""
 import copy
 import os
 import re
-import sys
 
 import pytest
 
+import checkRelease
 from caseTools import checked, execute, root
 
-sys.path.insert(0, str(root/"tests"/"releases"))
-import checkRelease
 
 LIBRARY = "src/vertexContact"
 HEADER = f"{LIBRARY}/include/compat.H"

@@ -9,10 +9,9 @@ import pytest
 from PIL import Image
 
 import caseTools
-from caseTools import Case, checked, timeFolders
+from caseTools import TUTORIALS, Case, checked, coarse, timeFolders
 from readFields import Reader, deformed
 from renderCase import Scene
-from test_tutorials import TUTORIALS, settings
 
 SHORT = 1/20        # of the run that a user sees
 VTK_ORDER = [0, 3, 5, 1, 4, 2]      # XX YY ZZ XY YZ XZ
@@ -106,7 +105,7 @@ def render(f, case, decomposed):
 def test_tutorial(tmp_path, figures, tutorial):
     parallel = tutorial in DECOMPOSED
     case = prepare(tutorial, tmp_path)
-    checked(["./Allrun"], case.path, **settings(tutorial), PLOT="0",
+    checked(["./Allrun"], case.path, **coarse(tutorial), PLOT="0",
             NP="3" if parallel else "1")
     assert (case/"case.foam").exists()
     for decomposed in (False, True) if parallel else (False,):
@@ -148,7 +147,7 @@ def test_allclean_keeps_the_picture(tmp_path):
 def test_command(tmp_path):
     """renderCase.py as a user calls it."""
     case = prepare("ringCollision", tmp_path)
-    checked(["./Allrun"], case.path, **settings("ringCollision"), PLOT="0",
+    checked(["./Allrun"], case.path, **coarse("ringCollision"), PLOT="0",
             NP="2")
     checked([*RENDER, "-f", "pointU", "-c", "0", "-t", "0.001", "0.002",
              "-o", "two.png", "-d"], case.path)

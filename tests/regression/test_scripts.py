@@ -9,8 +9,7 @@ import time
 
 import pytest
 
-from caseTools import checked, copyTutorials, execute, root
-from test_tutorials import TUTORIALS
+from caseTools import TUTORIALS, checked, copyTutorials, execute, root
 
 CASE = "twoBarImpact/similar"
 SETTINGS = {"MESH": "32", "PLOT": "0"}

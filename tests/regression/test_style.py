@@ -156,7 +156,7 @@ def quoted(cell):
 
 def paths(token):
     """The files and folders that a token can mean: by path, or by name."""
-    for top in SOURCE, root, root/"tests"/"verification":
+    for top in SOURCE, root, root/"tests"/"tools":
         if (top/token).exists():
             return [top/token]
     if re.fullmatch(r"\w+\.[CH]", token):
@@ -213,3 +213,26 @@ def test_guide():
     linked = re.findall(r"\]\(([^)]+)\)", text)
     bad += [link for link in linked if not (SOURCE/link).exists()]
     assert bad == []
+
+
+# Python
+
+# What a script may do to find the modules of tests/tools
+PATH = re.compile(r'sys\.path\.insert\(0, str\(Path\(__file__\)\.resolve\(\)'
+                  r'\.parents\[\d\]/"tools"\)\)')
+
+
+def test_one_search_path():
+    """The folders of modules stand in tests/tools/searchPath.py only. Tests
+    change no search path, and import nothing from each other."""
+    python = [file for file in FILES if file.suffix == ".py"
+              and file.is_relative_to(root/"tests")]
+    assert len(python) > 50
+    scripts = [file for file in python if not file.name.startswith("test_")
+               and file.name != "searchPath.py"]
+    tests = [file for file in python if file.name.startswith("test_")]
+    edit = re.compile(r"^\s*sys\.path\b")
+    assert where(scripts, lambda line: edit.match(line)
+                 and not PATH.match(line)) == []
+    assert where(tests, lambda line: edit.match(line) or re.match(
+        r"\s*(from|import) test_", line)) == []

@@ -4,22 +4,8 @@ import shutil
 
 import pytest
 
-from caseTools import checked, copyTutorials, execute, root
-
-TUTORIALS = sorted(
-    str(file.parent.relative_to(root/"tutorials"))
-    for file in (root/"tutorials").rglob("*/Allrun"))
-
-
-def settings(tutorial):
-    """Coarse meshes."""
-    name = tutorial.split("/")[0]
-    return {"MESH": {"twoBarImpact": "32", "spinningCube": "2",
-                     "twistingColumn": "2", "nonMatchingBars": "1",
-                     "torusImpact": "2", "hertzContact": "2",
-                     "taylorBar": "2", "newtonsCradle": "1",
-                     "hundredDiscs": "2"}.get(name, "4")}
-
+from caseTools import (TUTORIALS, checked, coarse, copyTutorials, execute,
+                       root)
 
 FAULTY = "twoBarImpact/similar"     # the tutorial of the tests of failures
 
@@ -44,7 +30,7 @@ def changes(repository):
 def test_tutorial(repository, figures, tmp_path, tutorial):
     case = repository/tutorial
     allrun = str(case/"Allrun")         # called from elsewhere
-    output = checked([allrun], tmp_path, **settings(tutorial))
+    output = checked([allrun], tmp_path, **coarse(tutorial))
     assert len(output.splitlines()) < 20
     pictures = sorted(case.glob("*.png"))
     assert pictures and all(p.stat().st_size > 10000 for p in pictures)
@@ -56,7 +42,7 @@ def test_tutorial(repository, figures, tmp_path, tutorial):
                  if not line.startswith("A  ")]
     assert untracked == []
 
-    checked([allrun], tmp_path, **settings(tutorial))
+    checked([allrun], tmp_path, **coarse(tutorial))
     second = (case/"postProcessing/solidEnergies/0/energies.dat").read_bytes()
     checked([str(case/"Allclean")], tmp_path)
     with figures(f"7 {tutorial}") as f:
@@ -71,7 +57,7 @@ def test_copied_case(tmp_path, tutorial):
     case = tmp_path/"mine"
     (tutorials/tutorial).rename(case)
     shutil.rmtree(tutorials)
-    checked(["./Allrun"], case, **settings(tutorial), PLOT="0")
+    checked(["./Allrun"], case, **coarse(tutorial), PLOT="0")
     assert not list(case.glob("*.png"))
 
 
@@ -80,7 +66,7 @@ def test_copied_case(tmp_path, tutorial):
 def test_wrong_option(repository, variable, value):
     case = repository/FAULTY
     done = execute(["./Allrun"], case, PLOT="0",
-                   **{**settings(FAULTY), variable: value})
+                   **{**coarse(FAULTY), variable: value})
     assert done.returncode != 0
     assert "FAILED" in done.stdout and f"{variable}={value}" in done.stdout
 
@@ -89,7 +75,7 @@ def test_failure_is_reported(repository):
     """The program that failed, the end of its log and an exit code."""
     case = repository/FAULTY
     (case/"constant"/"bar2"/"mechanicalProperties").unlink()
-    done = execute(["./Allrun"], case, PLOT="0", **settings(FAULTY))
+    done = execute(["./Allrun"], case, PLOT="0", **coarse(FAULTY))
     assert done.returncode != 0
     assert "FAILED: vertexContactFoam" in done.stdout
     assert "FOAM FATAL" in done.stdout

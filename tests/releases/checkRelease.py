@@ -22,8 +22,8 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 root = Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(root/"tests"/"verification"),
-                str(root/"tests"/"regression"), str(root/"tutorials")]
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]/"tools"))
+import searchPath
 
 import numpy as np
 

@@ -3,10 +3,9 @@ solutions of D. Doyen, A. Ern, S. Piperno, Time-integration schemes for the
 finite element dynamic Signorini problem, SIAM J. Sci. Comput. 33 (2011)."""
 
 import numpy as np
-import pytest
 
 from caseTools import DEFAULT
-from smallCases import Body, SmallCase, largest
+from smallCases import Body, SmallCase
 
 # Of the paper: c = 30 m/s, waves go there and back in 2/3 s
 LENGTH, RHO, E, HEIGHT = 10, 1, 900, 5

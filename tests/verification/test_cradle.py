@@ -5,8 +5,7 @@ import numpy as np
 import pytest
 
 import hertzChain
-from caseTools import DEFAULT, Tutorial
-from test_rings import rise
+from caseTools import DEFAULT, Tutorial, rise
 
 CRADLE = {mesh: Tutorial("newtonsCradle", mesh, preset=DEFAULT)
           for mesh in ("2", "I")}

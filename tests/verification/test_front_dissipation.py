@@ -2,13 +2,7 @@
 dimensions: longer steps, no less right; in one dimension fronts would
 overshoot."""
 
-import sys
-
 import pytest
-
-from caseTools import root
-
-sys.path.append(str(root/"tests"/"benchmark"/"trade"))
 
 from calibration import Calibration
 from cases import CASES

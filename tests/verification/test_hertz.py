@@ -13,8 +13,7 @@ import pytest
 
 import hertzChain
 import hertzSolution
-from caseTools import DEFAULT, Tutorial
-from test_rings import rise
+from caseTools import DEFAULT, Tutorial, rise
 
 HERTZ = "hertzContact"
 TWO = (("SCENE", "spheres"),)

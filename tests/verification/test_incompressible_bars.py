@@ -4,9 +4,8 @@ import numpy as np
 import pytest
 
 import readResults
-from caseTools import Tutorial, checkerboard, relativeL1, root
+from caseTools import Tutorial, checkerboard, relativeL1, rise, root
 from mirrorImages import asymmetry
-from test_rings import rise
 
 BARS = "nearlyIncompressibleBars"
 ABRUPT = (("endTime", 1.5e-4), ("writeInterval", 1e-5))

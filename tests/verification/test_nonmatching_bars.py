@@ -4,8 +4,7 @@ import numpy as np
 import pytest
 
 import readResults
-from caseTools import Tutorial, relativeL1, root
-from test_rings import rise
+from caseTools import Tutorial, relativeL1, rise, root
 
 BARS = "nonMatchingBars"
 NEAREST = (("PAIRING", "nearestFace"),)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from caseTools import DEFAULT, PRESET
+from caseTools import DEFAULT, PRESET, rise
 from smallCases import (ELASTIC, RUBBER, Body, SmallCase, coulomb, interface,
                         largest)
 
@@ -88,7 +88,7 @@ def test_shapes(tmp_path, figures, shape, ranks):
         f.atMost("largest penetration / face",
                  contact["relativePenetration"].max(), 0.05)
         f.atMost("largest rise of the energy less works / initial",
-                 np.max(E - np.minimum.accumulate(E))/E[0], 1e-3)
+                 rise(E), 1e-3)
         f.atMost("balance residual / initial energy",
                  largest(case.energies["total:balance"])/E[0], 2e-3)
 

@@ -2,14 +2,9 @@
 cases."""
 
 import shutil
-import sys
 
 import numpy as np
 import pytest
-
-from caseTools import root
-
-sys.path.append(str(root/"tests"/"benchmark"/"peers"/"calculix"))
 
 import calculix
 from deck import deck, steps

@@ -1,17 +1,12 @@
 """The plain finite elements that the trade compares with: that they are right,
 so that the comparison is one, and how they are called."""
 
-import sys
-
 import pytest
 
-import readResults
-from caseTools import execute, root
-
-sys.path.append(str(root/"tests"/"benchmark"/"trade"))
-
 import peers
+import readResults
 from cases import CASES
+from caseTools import execute
 
 # At the end: impulse, energy, plastic work; and steps, on coarse meshes. The
 # histories are those of another program, written apart, to 1e-4

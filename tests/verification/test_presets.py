@@ -2,13 +2,7 @@
 error than 'fast'; none is worse than its row of trade.csv by a tenth; and each
 is the options that it stands for."""
 
-import sys
-
 import pytest
-
-from caseTools import root
-
-sys.path.append(str(root/"tests"/"benchmark"/"trade"))
 
 from calibration import Calibration
 from cases import CASES, entry

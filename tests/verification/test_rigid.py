@@ -22,10 +22,6 @@ def spinning(center, spin, velocity=(0, 0, 0)):
     return lambda X: np.cross(spin, X - np.array(center)) + np.array(velocity)
 
 
-def angularMomentum(case, owner="total"):
-    return np.array([case.momentum[f"{owner}:L{c}"] for c in "xyz"]).T
-
-
 def test_compound_pendulum(tmp_path, figures):
     """Period of a rod on a pivot, small angles: 2 pi sqrt(I/(m g d))."""
     length, width, angle = 1.0, 0.1, 1e-3
@@ -69,7 +65,7 @@ def test_bounce(tmp_path, figures):
                          ("tool", "bottom"), ("block", "top"), coulomb(0.3),
                          pairing="nearestFace")},
                      functions=("contactForces",), preset=DEFAULT).run()
-    p, L = case.momentumOf(), angularMomentum(case)
+    p, L = case.momentumOf(), case.angularMomentumOf()
     E = case.energies["total:kinetic"] + case.energies["total:strain"]
     assert largest(case.contact("both")["tool.bottom:Fy"]) > 0
     with figures("spinning rigid cuboid bounces on a soft block") as f:
@@ -133,7 +129,7 @@ def test_parallel(tmp_path, figures):
         for name in "total:kinetic", "total:externalWork", "total:contactWork":
             f.atMost(name, largest(one.energies[name] - two.energies[name])
                      / largest(one.energies["total:kinetic"]), 1e-10)
-        a, b = angularMomentum(one, "tool"), angularMomentum(two, "tool")
+        a, b = (run.angularMomentumOf("tool") for run in (one, two))
         f.atMost("angular momentum", largest(a - b)/largest(a), 1e-10)
 
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import readResults
-from caseTools import Tutorial, relativeL1, root
+from caseTools import Tutorial, relativeL1, rise, root
 from mirrorImages import asymmetry
 
 RING = "ringCollision"
@@ -16,11 +16,6 @@ LITERAL = Tutorial(RING, scheme=(("jacobian", "literal"),))
 NATIVE = Tutorial(RING, scheme=(("cells", "native"),))
 
 scenes = pytest.mark.scenes
-
-
-def rise(energy):
-    """Largest rise above any earlier value, over the initial one."""
-    return np.max(energy - np.minimum.accumulate(energy))/energy[0]
 
 
 def reference():

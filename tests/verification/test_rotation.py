@@ -19,11 +19,6 @@ def tutorial(name, folder, preset=PRESET, **options):
     return case
 
 
-def angular(case, owner="total"):
-    """Angular momentum in time, one row an instant."""
-    return np.array([case.momentum[f"{owner}:L{c}"] for c in "xyz"]).T
-
-
 def drift(L):
     """Largest change of a vector, over its initial magnitude."""
     return np.max(np.linalg.norm(L - L[0], axis=1))/np.linalg.norm(L[0])
@@ -62,8 +57,7 @@ def test_spinning_cube(tmp_path, figures):
     ten turns, and the energy never rises above the initial one."""
     case = tutorial("spinningCube", tmp_path, preset=DEFAULT, MESH="I")
     total = case.totalEnergy
-    L, p = angular(case), np.array([case.momentum[f"total:p{c}"]
-                                    for c in "xyz"]).T
+    L, p = case.angularMomentumOf(), case.momentumOf()
     with figures("7 spin") as f:
         f.within("turns", case.energies["Time"][-1]*30/(2*np.pi), 10, 1e-4)
         f.within("initial angular momentum / (mass omega / 6)",
@@ -107,7 +101,7 @@ def test_moving_parallel(tmp_path, figures, cells):
     with figures(f"7 spin, {len(cells)}D, flying, half a turn") as f:
         for name, case in ("1 rank", serial), ("2 ranks", parallel):
             f.atMost(f"change of angular momentum, {name}",
-                     drift(angular(case)), 1e-10)
+                     drift(case.angularMomentumOf()), 1e-10)
             p = case.momentumOf()
             f.atMost(f"change of momentum, {name}", drift(p), 1e-12)
         f.equal("steps of both", len(parallel.energies["Time"]),
@@ -132,7 +126,7 @@ def test_mirror(tmp_path, figures, reconstruction):
            enumerate(np.round(case.X("whole"), 9) + 0.0)}
     X = np.round(case.X("half"), 9) + 0.0
     rows = [row[tuple(x)] for x in X]
-    L, L2 = angular(case, "whole"), 2*angular(case, "half")
+    L, L2 = case.angularMomentumOf("whole"), 2*case.angularMomentumOf("half")
     with figures(f"7 spin, one mirror, {reconstruction}") as f:
         f.atMost("angular momentum, 2 halves / whole - 1",
                  largest(L2[:, 2]/L[:, 2] - 1), 1e-10)

@@ -4,8 +4,7 @@ a rigid plane."""
 import numpy as np
 import pytest
 
-from caseTools import DEFAULT, Tutorial, relativeL1
-from test_rings import rise
+from caseTools import DEFAULT, Tutorial, relativeL1, rise
 
 HAIRPIN = "selfContact"
 SELF, NON_MATCHING, HALF = (

@@ -3,8 +3,7 @@
 import numpy as np
 import pytest
 
-from caseTools import DEFAULT, Tutorial
-from test_rings import rise
+from caseTools import DEFAULT, Tutorial, rise
 
 TORUS = "torusImpact"
 SHORT = (("endTime", 0.02),)

@@ -4,41 +4,10 @@ and how bodies come to rest on each other."""
 import numpy as np
 import pytest
 
-from smallCases import (ELASTIC, FLOOR, RUBBER, Body, SmallCase, condition,
-                        coulomb, distorted, interface, largest, table)
-
-STEEP = dict(RUBBER, nu=0.4995)             # the Jacobian is smoothed
-SPEED = np.sqrt((1 - 0.4)/((1 + 0.4)*(1 - 0.8)))
-HARD = dict(RUBBER, nu=0.4)                 # c_p = SPEED
-
-
-def case(folder, bodies, endTime, control=None, every=None, **more):
-    """A case of the default scheme."""
-    functions = {name: {"type": name, "libs": "(vertexContact)",
-                        "writeControl": "timeStep",
-                        "writeInterval": every or 1}
-                 for name in ("solidEnergies", "contactForces")
-                 if name == "solidEnergies" or more.get("interfaces")}
-    return SmallCase(folder, bodies, endTime, control={
-        "preset": "balanced", "maxCo": 0.9, "logInterval": 100000,
-        "functions": functions, **(control or {})}, **more)
-
-
-def angularMomentum(run):
-    return np.array([run.momentum[f"total:L{c}"] for c in "xyz"]).T
-
-
-def rough(dimensions, spin=0.1, noise=0.02, seed=1):
-    """A rotation and a velocity that is different at each point."""
-    def velocity(X):
-        place = np.round(X[:, :dimensions]*1e6).astype(int)
-        _, which = np.unique(place, axis=0, return_inverse=True)
-        random = np.random.default_rng(seed).standard_normal(
-            (which.max() + 1, 3))[which.ravel()]
-        v = spin*np.cross((0, 0, 1), X - 0.5) + noise*random
-        v[:, dimensions:] = 0
-        return v
-    return velocity
+from caseTools import rise
+from defaultCases import CLAMPED, HARD, SPEED, STEEP, defaultCase, rough
+from smallCases import (ELASTIC, FLOOR, RUBBER, Body, condition, coulomb,
+                        distorted, interface, largest, table)
 
 
 @pytest.mark.parametrize("cells, material", (
@@ -48,10 +17,10 @@ def test_conservation(tmp_path, figures, cells, material):
     """A free, distorted body with a rough motion: linear and angular momentum
     to round-off, and an energy that only falls, by what is accounted for."""
     n = len(cells)
-    run = case(tmp_path, Body(cells, material=material, velocity=rough(n),
+    run = defaultCase(tmp_path, Body(cells, material=material, velocity=rough(n),
                               moved=distorted(0.4, dimensions=n)), 50,
                every=10).run()
-    p, L, E = run.momentumOf(), angularMomentum(run), run.totalEnergy
+    p, L, E = run.momentumOf(), run.angularMomentumOf(), run.totalEnergy
     with figures(f"variational, free {cells}, {material['type']}") as f:
         f.atMost("change of the momentum / (mass speed)",
                  largest(p - p[0])/0.1, 1e-14)
@@ -69,7 +38,7 @@ def test_energy_is_of_second_order(tmp_path, figures):
     def residual(maxCo):
         def velocity(X):
             return 0.3*np.sin(np.pi*X[:, :1])*np.array((1.0, 0.5, 0))
-        run = case(tmp_path/str(maxCo), Body((8, 8), velocity=velocity), 4,
+        run = defaultCase(tmp_path/str(maxCo), Body((8, 8), velocity=velocity), 4,
                    {"maxCo": maxCo}, every=1).run()
         return (largest(run.energies["total:balance"])
                 / run.totalEnergy[0])
@@ -87,7 +56,7 @@ def test_superposed_velocity(tmp_path, figures, material, limit):
     def sigma(speed):
         def velocity(X):
             return rough(2)(X) + np.array((speed, 0, 0))
-        run = case(tmp_path/f"{speed}",
+        run = defaultCase(tmp_path/f"{speed}",
                    Body((4, 4), material=material, velocity=velocity,
                         moved=distorted(0.3, dimensions=2)), 2,
                    {"adjustTimeStep": "no", "deltaT": 0.001}).run()
@@ -118,7 +87,7 @@ def test_rotated_and_mirrored(tmp_path, figures):
         return out
 
     def energies(turn):
-        run = case(tmp_path/turn, Body(
+        run = defaultCase(tmp_path/turn, Body(
             (6, 6), velocity=lambda X: velocity(X, turn)), 3).run()
         return run.energies["total:strain"][-1]
     plain = energies("plain")
@@ -132,12 +101,12 @@ def test_long_rotation(tmp_path, figures):
     """Forty turns of a free block gain nothing."""
     with figures("variational, forty turns") as f:
         for cells in ((3, 3, 3), (6, 6)):
-            run = case(tmp_path/str(len(cells)), Body(
+            run = defaultCase(tmp_path/str(len(cells)), Body(
                 cells, velocity=lambda X: 0.2*np.cross((0, 0, 1), X - 0.5)),
                 80*np.pi/0.2, every=100).run()
-            E, L = run.totalEnergy, angularMomentum(run)
+            E, L = run.totalEnergy, run.angularMomentumOf()
             f.atMost(f"{cells}: largest rise of the energy / initial",
-                     (E - np.minimum.accumulate(E)).max()/E[0], 1e-4)
+                     rise(E), 1e-4)
             f.atMost(f"{cells}: change of the angular momentum / initial",
                      largest(L - L[0])/largest(L[0]), 1e-11)
 
@@ -149,7 +118,7 @@ def test_loaded_for_a_while(tmp_path, figures):
         (0, (0, 0, 0)), (1, (0.05, 0, 0)), (2, (0, 0, 0)), (1e6, (0, 0, 0))))
     body = Body((3, 3), sides={"right": pull, "left": condition(
         "fixedVelocity", velocity=(0, 0, 0))})
-    run = case(tmp_path, body, 12000, every=50).run()
+    run = defaultCase(tmp_path, body, 12000, every=50).run()
     E = run.totalEnergy
     with figures("variational, load and release") as f:
         f.atMost("energy at the end / largest", E[-1]/E.max(), 1e-25)
@@ -163,7 +132,7 @@ def test_work_of_a_moving_clamp(tmp_path, figures):
     body = Body((20, 8), size=(1, 0.4, 1), sides={
         "left": condition("fixedVelocity", velocity=(0, 0, 0)),
         "right": condition("fixedVelocity", velocity=bend)})
-    run = case(tmp_path, body, 300, every=10).run()
+    run = defaultCase(tmp_path, body, 300, every=10).run()
     t, E = run.energies["Time"], run.totalEnergy
     held = np.interp((31, 300), t, E)
     work = run.energies["total:externalWork"]
@@ -173,9 +142,6 @@ def test_work_of_a_moving_clamp(tmp_path, figures):
                  abs(np.interp(31, t, work)/work[-1] - 1), 1e-3)
         f.atMost("balance / energy",
                  largest(run.energies["total:balance"])/held[0], 2e-3)
-
-
-CLAMP = {"bottom": condition("fixedVelocity", velocity=(0, 0, 0))}
 
 
 @pytest.mark.parametrize("on, law, counts, ratio, weight", (
@@ -194,7 +160,7 @@ def test_rest(tmp_path, figures, on, law, counts, ratio, weight):
     block = Body(counts, name="block", sides={**middle, "bottom": "contact"})
     base = Body((round(ratio*counts[0]) or 1, *counts[1:]), name="base",
                 start=(0 if middle else -0.5, -1, 0), size=(2, 1, 1),
-                sides={**CLAMP, **middle, "top": "contact"})
+                sides={**CLAMPED, **middle, "top": "contact"})
     if on == "plane":
         touch, more = {"side": ("block", "bottom"), "obstacle": FLOOR,
                        "law": law}, []
@@ -205,7 +171,7 @@ def test_rest(tmp_path, figures, on, law, counts, ratio, weight):
     # Nothing but the dissipation of smooth waves brings it to rest
     time = (60000.0 if law == coulomb(0) else
             20000.0 if weight > 0.01 else 6000.0)
-    run = case(tmp_path, [block, *more], time, {"writeInterval": time/4},
+    run = defaultCase(tmp_path, [block, *more], time, {"writeInterval": time/4},
                every=20, interfaces={"contact": touch},
                gravity=(0, -weight, 0)).run()
     kinetic = run.energies["total:kinetic"]
@@ -251,7 +217,7 @@ def test_strong_shocks(tmp_path, figures, dimensions, speed, against):
     else:
         bodies.append(bar("other", 1, -1, "contact"))
         interfaces = {"bars": interface(("body", "right"), ("other", "left"))}
-    run = case(tmp_path, bodies, 0.35/(SPEED + v), interfaces=interfaces).run()
+    run = defaultCase(tmp_path, bodies, 0.35/(SPEED + v), interfaces=interfaces).run()
     X = run.X("body")
     line = np.isclose(X[:, 1], 0) & np.isclose(X[:, 2], 0)
     x, F = X[line, 0], run.at("F", region="body")[line, 0]
@@ -280,7 +246,7 @@ def test_cradle(tmp_path, figures, cells, limit):
         if i:
             interfaces[f"i{i}"] = interface((f"b{i - 1}", "right"),
                                             (f"b{i}", "left"))
-    run = case(tmp_path, bodies, 11, interfaces=interfaces).run()
+    run = defaultCase(tmp_path, bodies, 11, interfaces=interfaces).run()
     p = run.momentumOf()
     with figures(f"variational, cradle of {cells}") as f:
         f.atLeast("velocity of the last / of the first",

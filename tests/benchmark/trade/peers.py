@@ -2,11 +2,9 @@
 as those of the solver. The first are the plain finite elements of
 ../peers/plainFEM, which are of this project; CalculiX is from a package."""
 
-import csv
 import hashlib
 import re
 import shutil
-import sys
 import tempfile
 from pathlib import Path
 
@@ -95,9 +93,6 @@ def once(name, mesh):
 
 def oncePackaged(program, name, mesh):
     """The same of a program from a package."""
-    folder = str(sources.parent/program)
-    if folder not in sys.path:
-        sys.path.append(folder)
     # Its modules are of no use to the others
     import calculix
     try:

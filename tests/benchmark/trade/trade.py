@@ -31,9 +31,8 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 here = Path(__file__).resolve().parent
-root = here.parents[2]
-sys.path[:0] = [str(here), str(root/"tests"/"verification"),
-                str(root/"tutorials"), str(root/"tutorials"/"twoBarImpact")]
+sys.path.insert(0, str(Path(__file__).resolve().parents[2]/"tools"))
+import searchPath
 
 import numpy as np
 

@@ -19,8 +19,8 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 here = Path(__file__).resolve().parent
-# In place of the folder of this file, whose modules are those of a package
-sys.path[0] = str(here.parent)
+sys.path.insert(0, str(Path(__file__).resolve().parents[2]/"tools"))
+import searchPath
 
 from stability import page
 from stability.groups import GROUPS, cellsOf

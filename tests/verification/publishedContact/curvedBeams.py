@@ -10,8 +10,8 @@ import sys
 import tempfile
 from pathlib import Path
 
-tests = Path(__file__).resolve().parents[1]
-sys.path += [str(tests), str(tests.parents[1]/"tutorials")]
+sys.path.insert(0, str(Path(__file__).resolve().parents[2]/"tools"))
+import searchPath
 
 import drawHistories
 import numpy as np

@@ -9,7 +9,8 @@ import sys
 import time
 from pathlib import Path
 
-sys.path.append(str(Path(__file__).resolve().parents[1]/"calculix"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[3]/"tools"))
+import searchPath
 
 import KratosMultiphysics as KM
 import KratosMultiphysics.ConstitutiveLawsApplication as CLA

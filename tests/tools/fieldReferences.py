@@ -2,26 +2,25 @@
 """Norms of the fields of every tutorial, on a coarse mesh and until its bodies
 are in contact, to tell whether work on the code has changed results.
 
-    . etc/bashrc; tests/regression/fieldReferences.py
+    . etc/bashrc; tests/tools/fieldReferences.py
 
-runs them and writes fieldReferences.json, which test_decompositions.py compares
-with. To be done only when results are meant to change.
+runs them and writes tests/regression/fieldReferences.json, with which
+test_decompositions.py compares. To be done only when results are meant to change.
 """
 
 import json
-import sys
 import tempfile
 from dataclasses import replace
 from pathlib import Path
 
 root = Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(root/"tests"/"verification"), str(root/"tutorials")]
+import searchPath
 
 import numpy as np
 
 from caseTools import DEFAULT, Runs, Tutorial, timeFolders
 
-FILE = Path(__file__).with_suffix(".json")
+FILE = root/"tests"/"regression"/"fieldReferences.json"
 
 # Path, mesh, end of the run [s], options of Allrun
 TUTORIALS = (

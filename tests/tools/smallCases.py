@@ -2,7 +2,6 @@
 boundary conditions and initial fields."""
 
 from dataclasses import dataclass, field
-from pathlib import Path
 from typing import Callable
 
 import numpy as np
@@ -304,10 +303,6 @@ class SmallCase(Case):
     def last(self):
         """Name of the last time written."""
         return timeFolders(self.path)[-1]
-
-    def momentumOf(self, owner="total"):
-        """Linear momentum of a region in time, one row an instant."""
-        return np.array([self.momentum[f"{owner}:p{c}"] for c in "xyz"]).T
 
     def at(self, name, time=None, region=None):
         """Values of a point field, at the last time and of the first body

@@ -52,6 +52,21 @@ def copyTutorials(destination):
     return Path(shutil.copytree(root/"tutorials", destination, ignore=made))
 
 
+TUTORIALS = sorted(
+    str(file.parent.relative_to(root/"tutorials"))
+    for file in (root/"tutorials").rglob("*/Allrun"))
+
+
+def coarse(tutorial):
+    """Options of Allrun for a coarse mesh."""
+    name = tutorial.split("/")[0]
+    return {"MESH": {"twoBarImpact": "32", "spinningCube": "2",
+                     "twistingColumn": "2", "nonMatchingBars": "1",
+                     "torusImpact": "2", "hertzContact": "2",
+                     "taylorBar": "2", "newtonsCradle": "1",
+                     "hundredDiscs": "2"}.get(name, "4")}
+
+
 def timeFolders(folder):
     """Names of the time folders, in order of time."""
     names = [entry.name for entry in Path(folder).iterdir()
@@ -121,6 +136,14 @@ class Case:
     @cached_property
     def momentum(self):
         return readResults.table(self.path, "solidEnergies", "momentum.dat")
+
+    def momentumOf(self, owner="total"):
+        """Linear momentum of a region, or of all, in time, one row an instant."""
+        return np.array([self.momentum[f"{owner}:p{c}"] for c in "xyz"]).T
+
+    def angularMomentumOf(self, owner="total"):
+        """The same, about the origin."""
+        return np.array([self.momentum[f"{owner}:L{c}"] for c in "xyz"]).T
 
     def contact(self, interface="bars"):
         return readResults.table(
@@ -275,6 +298,13 @@ def meansAround(x, values, places, way):
     the places."""
     return np.stack([values[..., np.abs(x - place) < way].mean(axis=-1)
                      for place in places], axis=-1)
+
+
+def rise(energy, scale=None):
+    """Largest rise above any earlier value, over the initial one or a
+    scale."""
+    return float(np.max(energy - np.minimum.accumulate(energy))
+                 / (energy[0] if scale is None else scale))
 
 
 def relativeL1(times, values, exact):
