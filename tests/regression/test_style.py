@@ -195,6 +195,27 @@ def test_equations():
     assert bad == []
 
 
+def test_numbers():
+    """Each number of the scheme stands in a line of its file, with its name or
+    below it, and each test that shows one is there."""
+    bad = []
+    rows = [row for row in table("## Numbers of the scheme")
+            if quoted(row[0])]
+    assert len(rows) > 25
+    for number, where, *text in rows:
+        file, name = quoted(where)
+        lines = (SOURCE/file).read_text().splitlines()
+        near = (" ".join(lines[i:i + 18]) for i, line in enumerate(lines)
+                if re.search(rf"\b{name}\b", line))
+        if not any(quoted(number)[0] in text for text in near):
+            bad.append(f"{name}: no {number} in {file}")
+        for token in quoted(" ".join(text)):
+            if token.startswith("test_") and not list(
+                    (root/"tests").glob(f"*/{token}")):
+                bad.append(f"{name}: no {token}")
+    assert bad == []
+
+
 def test_guide():
     """What the guide 'To add' names is there, but for the X to be added."""
     bad = []

@@ -17,9 +17,10 @@ def test_conservation(tmp_path, figures, cells, material):
     """A free, distorted body with a rough motion: linear and angular momentum
     to round-off, and an energy that only falls, by what is accounted for."""
     n = len(cells)
-    run = defaultCase(tmp_path, Body(cells, material=material, velocity=rough(n),
-                              moved=distorted(0.4, dimensions=n)), 50,
-               every=10).run()
+    run = defaultCase(tmp_path, Body(cells, material=material,
+                                     velocity=rough(n),
+                                     moved=distorted(0.4, dimensions=n)), 50,
+                      every=10).run()
     p, L, E = run.momentumOf(), run.angularMomentumOf(), run.totalEnergy
     with figures(f"variational, free {cells}, {material['type']}") as f:
         f.atMost("change of the momentum / (mass speed)",
@@ -38,8 +39,8 @@ def test_energy_is_of_second_order(tmp_path, figures):
     def residual(maxCo):
         def velocity(X):
             return 0.3*np.sin(np.pi*X[:, :1])*np.array((1.0, 0.5, 0))
-        run = defaultCase(tmp_path/str(maxCo), Body((8, 8), velocity=velocity), 4,
-                   {"maxCo": maxCo}, every=1).run()
+        run = defaultCase(tmp_path/str(maxCo), Body((8, 8), velocity=velocity),
+                          4, {"maxCo": maxCo}, every=1).run()
         return (largest(run.energies["total:balance"])
                 / run.totalEnergy[0])
     coarse, fine = residual(0.4), residual(0.2)
@@ -57,9 +58,9 @@ def test_superposed_velocity(tmp_path, figures, material, limit):
         def velocity(X):
             return rough(2)(X) + np.array((speed, 0, 0))
         run = defaultCase(tmp_path/f"{speed}",
-                   Body((4, 4), material=material, velocity=velocity,
+                          Body((4, 4), material=material, velocity=velocity,
                         moved=distorted(0.3, dimensions=2)), 2,
-                   {"adjustTimeStep": "no", "deltaT": 0.001}).run()
+                          {"adjustTimeStep": "no", "deltaT": 0.001}).run()
         return run.at("sigma")
     still, moving = sigma(0), sigma(1000)
     with figures("variational, 1000 m/s") as f:
@@ -172,8 +173,8 @@ def test_rest(tmp_path, figures, on, law, counts, ratio, weight):
     time = (60000.0 if law == coulomb(0) else
             20000.0 if weight > 0.01 else 6000.0)
     run = defaultCase(tmp_path, [block, *more], time, {"writeInterval": time/4},
-               every=20, interfaces={"contact": touch},
-               gravity=(0, -weight, 0)).run()
+                      every=20, interfaces={"contact": touch},
+                      gravity=(0, -weight, 0)).run()
     kinetic = run.energies["total:kinetic"]
     drift = largest(run.at("pointD", run.times[3], "block")
                     - run.at("pointD", run.times[2], "block"))*counts[1]
@@ -217,7 +218,8 @@ def test_strong_shocks(tmp_path, figures, dimensions, speed, against):
     else:
         bodies.append(bar("other", 1, -1, "contact"))
         interfaces = {"bars": interface(("body", "right"), ("other", "left"))}
-    run = defaultCase(tmp_path, bodies, 0.35/(SPEED + v), interfaces=interfaces).run()
+    run = defaultCase(tmp_path, bodies, 0.35/(SPEED + v),
+                      interfaces=interfaces).run()
     X = run.X("body")
     line = np.isclose(X[:, 1], 0) & np.isclose(X[:, 2], 0)
     x, F = X[line, 0], run.at("F", region="body")[line, 0]

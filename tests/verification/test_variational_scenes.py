@@ -36,8 +36,9 @@ def pressed(folder, on, weight, time, control, law=coulomb(0.5)):
             ("block", "bottom"), ("base", "top"), law,
             pairing="nearestFace")
     # Surfaces are paired anew at each write, and rest a little elsewhere
-    return defaultCase(folder, bodies, time, {"writeInterval": time/8, **control},
-                every=50, interfaces={"contact": touch}).run()
+    return defaultCase(folder, bodies, time,
+                       {"writeInterval": time/8, **control}, every=50,
+                       interfaces={"contact": touch}).run()
 
 
 # Stable steps, times 0.9
@@ -88,7 +89,7 @@ def test_rest_3d(tmp_path, figures, law, weight):
     slides = law == coulomb(0)
     time = 700 if slides else 1000
     run = defaultCase(tmp_path, [block, base], time, {"writeInterval": time/2},
-               every=10, gravity=(0, -weight, 0), interfaces={
+                      every=10, gravity=(0, -weight, 0), interfaces={
                    "contact": interface(
                        ("block", "bottom"), ("base", "top"), law,
                        pairing="AMI" if tied else "nearestFace")}).run()
@@ -146,7 +147,7 @@ def test_rough_turns(tmp_path, figures):
     """Twenty turns of a free block that was not only made to rotate: once its
     waves have died it goes on as a rigid one."""
     run = defaultCase(tmp_path, Body((3, 3, 3), velocity=rough(3, noise=0.01)),
-               40*np.pi/0.1, every=100).run()
+                      40*np.pi/0.1, every=100).run()
     E = run.totalEnergy
     with figures("scenes, twenty rough turns of 3^3 cells") as f:
         f.atMost("energy lost in the last half / energy",
@@ -162,7 +163,8 @@ def test_checkerboard(tmp_path, figures, cells):
     def alternating(X):
         order = np.round(X[:, :len(cells)]*n).astype(int).sum(axis=1)
         return a/n*np.outer((-1.0)**order, (1, 0, 0))
-    run = defaultCase(tmp_path, Body(cells, displacement=alternating), 1e-9).run()
+    run = defaultCase(tmp_path, Body(cells, displacement=alternating),
+                      1e-9).run()
     with figures(f"scenes, checkerboard in {cells}") as f:
         f.atLeast("strain energy / (E amplitude^2)",
                   run.energies["total:strain"][0]/a**2, 0.01)
@@ -465,7 +467,8 @@ def test_shocks_3d(tmp_path, figures, speed, against):
     else:
         bodies.append(bar("other", 1, -1, "contact"))
         interfaces = {"bars": interface(("body", "right"), ("other", "left"))}
-    run = defaultCase(tmp_path, bodies, 0.35/(SPEED + v), interfaces=interfaces).run()
+    run = defaultCase(tmp_path, bodies, 0.35/(SPEED + v),
+                      interfaces=interfaces).run()
     X, F, E = run.X("body"), run.at("F", region="body"), run.totalEnergy
     with figures(f"scenes, 3D, {speed} c_p against {against}") as f:
         for y in 0, width/2:
