@@ -168,3 +168,23 @@ def plotEnergy(file, runs, timeUnit, energyUnit):
         ax.legend(loc="center right")
     figure.savefig(file, dpi=DPI)
     plt.close(figure)
+
+
+def plotWork(file, run, timeUnit, energyUnit, parts):
+    """Where the work of the loads is, of all bodies of a run.
+
+    energyUnit  ("MJ", 1e6)
+    parts       {column of energies.dat: what it is called}
+    """
+    data = readResults.table(run.folder, "solidEnergies", "energies.dat")
+    figure, ax = plt.subplots(figsize=(8, 5), layout="constrained")
+    for key, name in parts.items():
+        ax.plot(data["Time"]/timeUnit[1], data[f"total:{key}"]/energyUnit[1],
+                label=name)
+    ax.set(xlabel=f"time [{timeUnit[0]}]", ylabel=f"energy [{energyUnit[0]}]",
+           title=run.label)
+    ax.grid(color="0.9")
+    ax.margins(x=0)
+    ax.legend()
+    figure.savefig(file, dpi=DPI)
+    plt.close(figure)

@@ -64,7 +64,7 @@ def coarse(tutorial):
                      "twistingColumn": "2", "nonMatchingBars": "1",
                      "torusImpact": "2", "hertzContact": "2",
                      "taylorBar": "2", "newtonsCradle": "1",
-                     "hundredDiscs": "2"}.get(name, "4")}
+                     "hundredDiscs": "2", "dropTest": "2"}.get(name, "4")}
 
 
 def timeFolders(folder):

@@ -21,6 +21,8 @@ FOLDERS = (
     "tests/benchmark/trade",
     "tests/benchmark/peers/calculix",
     "tutorials",
+    "tutorials/dropTest",
+    "tutorials/formingTool",
     "tutorials/hertzContact",
     "tutorials/hundredDiscs",
     "tutorials/newtonsCradle",

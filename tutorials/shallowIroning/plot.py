@@ -60,31 +60,15 @@ def plotForces(file, runs):
     plt.close(figure)
 
 
-def plotEnergies(file, run):
-    """What the motion has put in, and where it is."""
-    data = readResults.table(
-        run.folder, "solidEnergies", "energies.dat")
-    unit, value = TIME_UNIT
-    figure, ax = plt.subplots(figsize=(8, 5), layout="constrained")
-    for key, name in (("externalWork", "work of the top"),
-                      ("strain", "strain energy"),
-                      ("frictionDissipation", "friction"),
-                      ("kinetic", "kinetic energy"),
-                      ("numericalDissipation", "numerical dissipation")):
-        ax.plot(data["Time"]/value, data[f"total:{key}"], label=name)
-    ax.set(xlabel=f"time [{unit}]", ylabel="energy [J/m]", title=run.label)
-    ax.grid(color="0.9")
-    ax.margins(x=0)
-    ax.legend()
-    figure.savefig(file, dpi=drawHistories.DPI)
-    plt.close(figure)
-
-
 def main(case="."):
     case = Path(case)
     runs = drawHistories.findRuns(case, size, label)
     plotForces(case/"forces.png", runs)
-    plotEnergies(case/"energies.png", runs[-1])
+    drawHistories.plotWork(
+        case/"energies.png", runs[-1], TIME_UNIT, ("J/m", 1),
+        {"externalWork": "work of the top", "strain": "strain energy",
+         "frictionDissipation": "friction", "kinetic": "kinetic energy",
+         "numericalDissipation": "numerical dissipation"})
     drawFields.draw(
         case/"deformation.png", drawFields.read(case, TIMES, PRESSURE),
         PRESSURE, TIME_UNIT, columns=2, width=12)

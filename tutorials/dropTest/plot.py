@@ -1,0 +1,98 @@
+#!/usr/bin/env python3
+"""Pictures of this case: force.png, stress.png, deformation.png and
+energies.png.
+
+    plot.py [CASE]
+"""
+
+import os
+import sys
+from pathlib import Path
+
+# tutorials/, also for a case that was copied elsewhere
+sys.path += [str(Path(__file__).resolve().parent.parent),
+             os.environ.get("VERTEXCONTACT_DIR", ".") + "/tutorials"]
+
+import bumperModel
+import drawFields
+import drawHistories
+import drawSolids
+import readResults
+from drawHistories import plt
+
+MESHES = {3: "Mesh I", 4: "Mesh II", 6: "Mesh III", 8: "Mesh IV"}
+TIMES = 0.0005, 0.001, 0.0015, 0.0025
+TIME_UNIT = "ms", 1e-3
+FIELDS = {"elastic": drawFields.Field("sigmaEq", "von Mises stress [MPa]", 1e6,
+                                      signed=False)}
+VIEW = drawSolids.turn(0, -75) @ drawSolids.turn(2, 25)
+
+
+def settings(case):
+    """Elements over the height of a foot, and how the box is."""
+    return (round(8/float(drawHistories.parameter(case, "size", 2))),
+            str(drawHistories.parameter(case, "box", "elastic")))
+
+
+def label(case):
+    n, box = settings(case)
+    return f"{MESHES.get(n, f'{n} elements')}, {box} box"
+
+
+def plotForce(file, runs):
+    """Of the floor: as it is, behind the filter, and of the model."""
+    unit, value = TIME_UNIT
+    figure, ax = plt.subplots(figsize=(8, 5), layout="constrained")
+    model = bumperModel.drop()
+    ax.plot((bumperModel.FIRST_CONTACT + model.times)/value, model.forces,
+            color="black", label="mass on a spring")
+    for run in runs:
+        data = readResults.table(run.folder, "contactForces", "floor.dat")
+        t = data["Time"]/value
+        line, = ax.plot(t, data["bumper.bottom:Fz"], label=run.label,
+                        **run.style)
+    ax.plot(t, data["bumper.bottom:filteredFz"], "--", color=line.get_color(),
+            label="the last, filtered at 2 kHz")
+    ax.set(xlabel=f"time [{unit}]", ylabel="force of the floor [N]")
+    ax.grid(color="0.9")
+    ax.margins(x=0)
+    ax.legend()
+    figure.savefig(file, dpi=drawHistories.DPI)
+    plt.close(figure)
+
+
+def plotStress(file, runs):
+    """The largest in the box, wherever it is."""
+    unit, value = TIME_UNIT
+    figure, ax = plt.subplots(figsize=(8, 5), layout="constrained")
+    for run in runs:
+        if settings(run.folder)[1] == "rigid":
+            continue
+        data = readResults.table(run.folder, "peaks", "extremes.dat")
+        ax.plot(data["Time"]/value, data["box:sigmaEq:max"]/1e6,
+                label=run.label, **run.style)
+    ax.set(xlabel=f"time [{unit}]",
+           ylabel="largest von Mises stress in the box [MPa]")
+    ax.grid(color="0.9")
+    ax.margins(x=0)
+    ax.legend()
+    figure.savefig(file, dpi=drawHistories.DPI)
+    plt.close(figure)
+
+
+def main(case="."):
+    case = Path(case)
+    runs = drawHistories.findRuns(case, settings, label)
+    plotForce(case/"force.png", runs)
+    if settings(case)[1] == "elastic":
+        plotStress(case/"stress.png", runs)
+        field = FIELDS["elastic"]
+        drawSolids.draw(
+            case/"deformation.png", drawSolids.read(case, TIMES, field, VIEW),
+            field, TIME_UNIT, columns=2, width=10)
+    drawHistories.plotEnergy(
+        case/"energies.png", runs, TIME_UNIT, ("mJ", 1e-3))
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
