@@ -133,6 +133,7 @@ def test_pictures_are_kept():
         assert "(picture.png)" in (folder/"README.md").read_text()
     strip = caseTools.root/"tutorials"/"pictures.png"
     assert strip.stat().st_size < 250e3
+    assert (strip.parent/"collision.gif").stat().st_size < 1e6
 
 
 def test_allclean_keeps_the_picture(tmp_path):
