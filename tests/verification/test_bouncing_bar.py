@@ -33,7 +33,7 @@ def meanError(t, a, b):
     return np.trapezoid(abs(a - b), t)
 
 
-def test_impact(tmp_path, figures):
+def test_pressure_is_that_of_a_wave(tmp_path, figures):
     """Without gravity: the pressure is that of a wave, v sqrt(E rho), for the
     time that waves take there and back, and the bar leaves as it came."""
     speed = 10
@@ -80,7 +80,7 @@ def exactFoot(t, gravity, speed, impacts):
     return x
 
 
-def test_bounces(tmp_path, figures):
+def test_ten_bounces_lose_nothing(tmp_path, figures):
     """Under gravity: ten impacts. The next one begins where waves have just
     come back, so that nothing is lost to vibrations. What contact takes, 0.25 %
     each on 200 elements, makes the next flights shorter: places are compared

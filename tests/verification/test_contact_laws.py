@@ -163,7 +163,7 @@ def slidWay(case):
     return meanShift("block") - meanShift("base")
 
 
-def test_sliding(tmp_path, figures):
+def test_sliding_stops_as_friction_says(tmp_path, figures):
     """A block slides on a base with friction k: its momentum falls by k
     times its weight in time, until it stops at t = v/(k g); the energy that
     contact takes is the friction force times the slip (pressure and slip are
@@ -204,7 +204,7 @@ def test_sliding(tmp_path, figures):
 
 
 @pytest.mark.parametrize("tilt", (0.1, 0.5))
-def test_slope(tmp_path, figures, tilt):
+def test_slope_of_the_angle_of_friction(tmp_path, figures, tilt):
     """Gravity with a part tilt x g along the base: below k the block stays
     where it is, above it slides with the acceleration (tilt - k) g."""
     k, T = 0.3, 12
@@ -335,7 +335,7 @@ LAWS = {"frictionless": "frictionless", "friction": coulomb(0.3),
 
 @pytest.mark.parametrize("law", LAWS.values(), ids=LAWS.keys())
 @pytest.mark.parametrize("dimensions", (1, 2, 3))
-def test_conservation(tmp_path, figures, dimensions, law):
+def test_impulses_are_opposite(tmp_path, figures, dimensions, law):
     """Oblique impact of two free blocks with a gap at first: total linear
     momentum is kept; the impulses of contact are opposite, and each is the
     change of momentum of its body; energy does not grow by contact."""

@@ -41,13 +41,13 @@ def checkCradle(case, figures, title, late, atEnd, peak, release):
 
 
 @pytest.mark.scenes(CRADLE["2"])
-def test_cradle(run, figures):
+def test_velocities_of_a_chain_of_spheres(run, figures):
     checkCradle(run(CRADLE["2"]), figures, "2 elements",
                 0.07, 0.008, 0.015, 0.025)
 
 
 @pytest.mark.slow
 @pytest.mark.scenes(*CRADLE.values())
-def test_finer_cradle(run, figures):
+def test_velocities_on_a_finer_mesh(run, figures):
     case = run(CRADLE["I"])
     checkCradle(case, figures, "Mesh I", 0.045, 0.003, 0.006, 0.018)

@@ -11,7 +11,7 @@ DISCS = Tutorial("hundredDiscs", "2", preset=DEFAULT,
 
 
 @pytest.mark.scenes(DISCS)
-def test_hundred_discs(run, figures):
+def test_weight_and_momentum_of_a_heap(run, figures):
     """Momentum, energy and weight of a heap; no disc in another or in the
     box."""
     case = run(DISCS)

@@ -129,7 +129,7 @@ def test_static_and_dynamic(tmp_path, figures):
                  np.polyfit(t, v, 1)[0]/((tilt - 0.1)*WEIGHT), 1, 0.02)
 
 
-def test_decay(tmp_path, figures):
+def test_friction_falls_with_the_speed(tmp_path, figures):
     """Friction that decays with the speed stops a block as the equation
     v' = -g (k + (k_s - k) exp(-decay v)) says."""
     k, static, decay, speed, T = 0.1, 0.4, 20, 0.1, 20

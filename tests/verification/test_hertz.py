@@ -93,7 +93,7 @@ def checkSpheres(f, plane, spheres):
 @scenes(COARSE_PLANE, COARSE_SPHERES)
 @pytest.mark.parametrize("scene", (COARSE_PLANE, COARSE_SPHERES),
                          ids=("plane", "spheres"))
-def test_coarse(run, figures, scene):
+def test_force_and_duration_of_hertz(run, figures, scene):
     with figures(f"Hertz, 3 elements, {dict(scene.options) or 'plane'}") as f:
         checkImpact(f, scene, run, 0.04, 0.03, 0.75)
 
@@ -108,7 +108,7 @@ def test_spheres_as_plane(run, figures):
 
 @pytest.mark.slow
 @scenes(PLANE, SPHERES, COARSE_PLANE)
-def test_full(run, figures):
+def test_force_and_duration_on_mesh_I(run, figures):
     with figures("Hertz, Mesh I") as f:
         for scene in PLANE, SPHERES:
             checkImpact(f, scene, run, 0.04, 0.03, 0.9)
@@ -119,7 +119,7 @@ def test_full(run, figures):
 
 @pytest.mark.slow
 @scenes(PLANE)
-def test_traction(run, figures):
+def test_traction_along_the_radius(run, figures):
     """Near the largest force, along the radius."""
     case = run(PLANE)
     contact = case.contact("contact")

@@ -54,7 +54,7 @@ def meanCheckerboard(case, start):
 
 
 @scenes(FULL, COARSE)
-def test_default(run, figures):
+def test_pressure_and_release_of_theory(run, figures):
     case = run(FULL)
     contact, total = case.contact("bars"), case.totalEnergy
     time, touching = contact["Time"], contact["slip"]
@@ -103,7 +103,7 @@ def test_default(run, figures):
 
 
 @scenes(FULL)
-def test_mirror(run, figures):
+def test_bars_mirror_each_other(run, figures):
     with figures("3.5 bars, mirror") as f:
         f.atMost("difference of the bars' fields from mirror images",
                  asymmetry(run(FULL), "bar1", "bar2", 0.0364), 1e-9)

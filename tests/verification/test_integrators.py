@@ -61,7 +61,7 @@ def test_order_in_time(tmp_path, figures, integrator):
 
 
 @pytest.mark.parametrize("integrator", INTEGRATORS)
-def test_momentum(tmp_path, figures, integrator):
+def test_momentum_is_kept(tmp_path, figures, integrator):
     case = block(tmp_path, integrator, 5, {"maxCo": 0.4},
                  material={"type": "neoHookean", "rho": 1, "E": 1,
                            "nu": 0.3}).run()
@@ -101,7 +101,7 @@ def test_ranks_and_restart(tmp_path, figures, control, scheme):
 
 
 @pytest.mark.parametrize("integrator", INTEGRATORS)
-def test_energy(tmp_path, figures, integrator):
+def test_energy_of_an_impact(tmp_path, figures, integrator):
     """Energy of an impact. The one of symplecticEuler oscillates with dt/2
     times its rate, where it is written: it is not a bound."""
     case = impact(tmp_path/"case", {"timeIntegrator": integrator, "maxCo": 0.4},

@@ -52,7 +52,7 @@ MESHES = {"1:1": ((8, 8), (8, 8)), "1:1.4": ((8, 8), (11, 11)),
 
 @pytest.mark.parametrize("pairing", ("matching", "AMI", "nearestFace"))
 @pytest.mark.parametrize("ratio", MESHES)
-def test_momentum(tmp_path, figures, ratio, pairing):
+def test_momentum_whatever_the_meshes(tmp_path, figures, ratio, pairing):
     """Linear momentum is kept whatever the meshes, and energy is not made."""
     same = ratio == "1:1"
     if pairing == "matching" and not same:
@@ -76,7 +76,7 @@ def test_momentum(tmp_path, figures, ratio, pairing):
 @pytest.mark.parametrize("pairing", ("AMI", "nearestFace"))
 @pytest.mark.parametrize("ranks, ratio", (
     (2, "1:16"), (3, "3D 1:1.5"), (4, "3D 1:4")))
-def test_momentum_parallel(tmp_path, figures, ratio, pairing, ranks):
+def test_momentum_on_ranks(tmp_path, figures, ratio, pairing, ranks):
     """The same on several ranks, with the fields of the serial run."""
     cases = [collide(tmp_path/str(n), blocks(*MESHES[ratio]), n, endTime=0.4,
                      pairing=pairing) for n in (1, ranks)]
@@ -91,7 +91,7 @@ def test_momentum_parallel(tmp_path, figures, ratio, pairing, ranks):
                          largest(parallel - serial)/largest(serial), 1e-10)
 
 
-def test_momentum_two_way(tmp_path, figures):
+def test_two_way_loses_momentum(tmp_path, figures):
     """What the paper's mapping loses, and why it is not the default."""
     change = [momentumChange(collide(
         tmp_path/name, blocks(*MESHES["1:1.4"]), pairing="AMI",
@@ -102,7 +102,7 @@ def test_momentum_two_way(tmp_path, figures):
         f.atLeast("twoWay / conservative", change[1]/change[0], 1e6)
 
 
-def test_angular_momentum(tmp_path, figures):
+def test_angular_momentum_whatever_the_meshes(tmp_path, figures):
     """Forces act at the centroids of overlaps on both sides: angular momentum
     changes by force times gap only, which falls with the mesh."""
     changes = []
@@ -192,7 +192,7 @@ PATCHES = {
 
 
 @pytest.mark.parametrize("name", PATCHES)
-def test_patch(tmp_path, figures, name):
+def test_uniform_pressure_crosses(tmp_path, figures, name):
     """A uniform pressure crosses the interface, and nothing moves."""
     low, high, only, more = PATCHES[name]
     for pairing in (only,) if only else ("AMI", "nearestFace"):
@@ -210,7 +210,7 @@ def test_patch(tmp_path, figures, name):
                 f.atMost("velocity / c", velocity, 1e-10 if exact else 0.02)
 
 
-def test_patch_native(tmp_path, figures):
+def test_uniform_pressure_crosses_native(tmp_path, figures):
     """Native weights are exact on orthogonal meshes only."""
     stress, velocity = compressed(
         tmp_path, (4, 4, 4), (5, 5, 5), pairing="nearestFace",
@@ -233,7 +233,7 @@ def test_pairings_agree(tmp_path, figures):
 
 
 @pytest.mark.parametrize("ranks", (1, 2))
-def test_phantoms(tmp_path, figures, ranks):
+def test_nothing_happens_between_what_passes(tmp_path, figures, ranks):
     """All outer surfaces of three blocks in each other's sight: one passes the
     other at a hundredth of a cell, the third moves away. Nothing happens."""
     names = "low", "passing", "parting"
@@ -319,7 +319,7 @@ def test_self_contact(tmp_path, figures, ranks):
 
 # Friction
 
-def test_sliding(tmp_path, figures):
+def test_sliding_stops_as_friction_says(tmp_path, figures):
     """A block slides over a longer one with another mesh with the deceleration
     k g, and stops."""
     k, g, speed, h = 0.3, 0.02, 0.06, 0.5

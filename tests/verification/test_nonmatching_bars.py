@@ -58,7 +58,7 @@ def checkImpact(f, case):
 @scenes(COARSE, COARSE_NEAREST)
 @pytest.mark.parametrize("scene", (COARSE, COARSE_NEAREST),
                          ids=("AMI", "nearestFace"))
-def test_coarse(run, figures, scene):
+def test_coarse_bars_close_their_balances(run, figures, scene):
     """5 and 2 elements over the width, until 250 us."""
     case = run(scene)
     pairing = dict(scene.options).get("PAIRING", "AMI")
@@ -91,7 +91,7 @@ def test_peak_force(run, figures):
 
 @pytest.mark.slow
 @scenes(FULL, FULL_COARSE)
-def test_full(run, figures):
+def test_agrees_with_conforming_meshes(run, figures):
     """Mesh I, against conforming meshes of 10 elements over the width."""
     case = run(FULL)
     with figures("3.4 non-matching bars, Mesh I") as f:

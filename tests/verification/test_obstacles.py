@@ -72,7 +72,7 @@ def test_plane_wave(tmp_path, figures):
 
 @pytest.mark.parametrize("shape", SHAPES)
 @pytest.mark.parametrize("ranks", (1, 2))
-def test_shapes(tmp_path, figures, shape, ranks):
+def test_impulse_of_any_shape(tmp_path, figures, shape, ranks):
     """A block falls on obstacles: its change of momentum is the impulse, and
     it bounces."""
     case = fall(tmp_path, block((6, 6, 6)), ranks=ranks, preset=DEFAULT,

@@ -38,7 +38,7 @@ def test_deck():
 
 @pytest.mark.parametrize("step, steps", (
     ("3.059735e-05", 1308), ("3.333333e-05", 1200)))
-def test_steps(step, steps):
+def test_steps_that_calculix_takes(step, steps):
     """Those that CalculiX takes, whatever it was told."""
     log = f" SELECTED time increment:{step}\n"
     assert calculix.stepsTaken(log, 0.04) == steps

@@ -20,7 +20,7 @@ def program():
     return str(peers.program())
 
 
-def test_verify(program, tmp_path):
+def test_patch_test_and_closed_forms(program, tmp_path):
     """Patch test, energies, closed forms: a line each."""
     done = execute([program, "verify"], tmp_path)
     assert done.returncode == 0, done.stdout
@@ -28,7 +28,7 @@ def test_verify(program, tmp_path):
 
 
 @pytest.mark.parametrize("name, mesh", KNOWN)
-def test_cases(name, mesh, program, tmp_path, figures):
+def test_histories_of_another_program(name, mesh, program, tmp_path, figures):
     file = tmp_path/"histories.csv"
     said = peers.run(name, mesh, file)
     end = {key: column[-1] for key, column in readResults.csv(file).items()}

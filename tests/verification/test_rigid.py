@@ -49,7 +49,7 @@ def test_compound_pendulum(tmp_path, figures):
                 / largest(case.energies["total:kinetic"]), 1e-4)
 
 
-def test_bounce(tmp_path, figures):
+def test_bounce_keeps_momenta(tmp_path, figures):
     """A spinning rigid cuboid bounces on a soft block that is free, off
     centre: linear and angular momentum of the pair stay, and it takes energy
     only."""
@@ -156,7 +156,7 @@ def test_sub_cycling(tmp_path, figures):
 
 
 @pytest.mark.parametrize("motion", ("displacement", "velocity"))
-def test_obstacle(tmp_path, figures, motion):
+def test_moved_plate_is_as_an_obstacle(tmp_path, figures, motion):
     """A plate that is moved presses as an obstacle with the same motion: up to
     what overlaps of faces and corners differ by."""
     value = {"displacement": table((0, (0, 0, 0)), (1, (0, 0.05, 0))),

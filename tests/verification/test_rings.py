@@ -55,7 +55,7 @@ def checkCollision(f, case, largestRise):
 
 
 @scenes(FULL, COARSE)
-def test_default(run, figures):
+def test_collision_as_on_mesh_III(run, figures):
     case = run(FULL)
     with figures("3.1 rings, default") as f:
         checkCollision(f, case, 1e-6)
@@ -81,14 +81,14 @@ def test_default(run, figures):
 
 
 @scenes(FULL)
-def test_mirror(run, figures):
+def test_rings_mirror_each_other(run, figures):
     with figures("3.5 rings, mirror") as f:
         f.atMost("difference of the rings' fields from mirror images",
                  asymmetry(run(FULL), "ring1", "ring2", 0.044), 1e-9)
 
 
 @scenes(LINEAR)
-def test_linear(run, figures):
+def test_linear_never_gains_energy(run, figures):
     case = run(LINEAR)
     with figures("3.1 rings, linear") as f:
         checkCollision(f, case, 1e-13)
@@ -110,7 +110,7 @@ def test_literal_fails(run, figures):
 
 
 @scenes(FULL, NATIVE)
-def test_native(run, figures):
+def test_native_dual_agrees(run, figures):
     """Both duals of the same mesh, against Mesh III of the default."""
     def cost(case):
         lines = [line for line in case.log().splitlines()

@@ -25,7 +25,7 @@ def difference(case, half, point, field, end):
 @scenes(SELF, NON_MATCHING, HALF)
 @pytest.mark.parametrize("scene", (SELF, NON_MATCHING),
                          ids=("self", "nonMatching"))
-def test_half(run, figures, scene):
+def test_whole_does_as_the_half(run, figures, scene):
     """The same but for what a rigid plane at the nodes and overlaps of faces
     make of it: the tips bounce off each other some ten times."""
     case, half = run(scene), run(HALF)
@@ -52,7 +52,7 @@ def test_half(run, figures, scene):
 @scenes(SELF, NON_MATCHING, HALF)
 @pytest.mark.parametrize("scene", (SELF, NON_MATCHING, HALF),
                          ids=("self", "nonMatching", "half"))
-def test_contact(run, figures, scene):
+def test_contact_keeps_momentum_and_takes_energy(run, figures, scene):
     case = run(scene)
     contact, total = case.contact("legs"), case.totalEnergy
     touching, momentum = contact["area"] > 0, case.momentum

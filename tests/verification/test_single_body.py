@@ -267,7 +267,7 @@ def test_traction_step(tmp_path, figures, fixed):
 
 
 @pytest.mark.parametrize("kind", ("traction", "fixedVelocity"))
-def test_ramp(tmp_path, figures, kind):
+def test_ramp_travels_unchanged(tmp_path, figures, kind):
     """A load that rises linearly to its value at T = 0.5, from a table of
     times: at distance x the same in v and sigma = +-rho c v, later by x/c;
     its work is s^2 T/3 + s^2 (t - T), for s = rho c V."""
@@ -294,7 +294,7 @@ def test_ramp(tmp_path, figures, kind):
 
 @pytest.mark.parametrize("reconstruction, least", (
     ("none", 0.8), ("linear", 1.7), ("full", 1.7)))
-def test_order(tmp_path, figures, reconstruction, least):
+def test_order_in_space(tmp_path, figures, reconstruction, least):
     """Standing wave between free ends, v = V cos(pi x) cos(pi t),
     sigma = -rho c V sin(pi x) sin(pi t): order of the L2 errors at t = 0.75
     on 32, 64 and 128 elements, without limiter."""
@@ -644,7 +644,7 @@ def test_restart(tmp_path, figures):
 
 
 @pytest.mark.parametrize("ranks", (1, 2))
-def test_inverted(tmp_path, figures, ranks):
+def test_inverted_body_ends_the_run(tmp_path, figures, ranks):
     """A body that is turned inside out ends the run, with the place and the
     time, and the last good state is written."""
     body = block(2, 6, velocity=lambda X: -30*(X - 0.5)*(1, 1, 0))

@@ -67,7 +67,7 @@ def momentum(case):
     return t - np.diff(t, prepend=0)/2, case.momentumOf("stiff")[:, 0]
 
 
-def test_impact(tmp_path, figures):
+def test_impact_of_the_exact_solution(tmp_path, figures):
     errors, differences = [], []
     every = np.linspace(0.05, 0.59, 200)
     for n in 50, 100, 200:
@@ -96,7 +96,7 @@ def test_impact(tmp_path, figures):
 
 
 @pytest.mark.parametrize("law", ("tied", "frictionless"))
-def test_load(tmp_path, figures, law):
+def test_sudden_load_for_long(tmp_path, figures, law):
     """A stiff plate on a soft column that is held below, 10^5 common steps
     after the weight came on at once: what vibrates is hardly damped, and
     nothing may feed it."""
@@ -248,7 +248,7 @@ def test_ranks(tmp_path, figures):
                          abs(a - b).max()/abs(a).max(), 1e-10)
 
 
-def test_blocks(tmp_path, figures):
+def test_oblique_impact_as_with_one_step(tmp_path, figures):
     """An oblique impact with friction, in two dimensions, at a tenth of the
     speed of waves."""
     p, strain, energy = [], [], []

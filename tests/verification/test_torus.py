@@ -41,7 +41,7 @@ def checkImpact(f, case):
 
 
 @scenes(EARLY_COARSE, EARLY)
-def test_early(run, figures):
+def test_first_contact_and_momentum(run, figures):
     """Edges of 3.3 and of 2.75 mm (Mesh I), until 20 ms."""
     with figures("3.7 torus, until 20 ms") as f:
         for scene in EARLY_COARSE, EARLY:
@@ -55,7 +55,7 @@ def test_early(run, figures):
 
 @pytest.mark.slow
 @scenes(FULL, MEDIUM, COARSE)
-def test_full(run, figures):
+def test_stays_on_the_wall(run, figures):
     """Mesh II with the default scheme, until 50 ms, when it is nearly folded,
     beyond the paper's scenes and its scheme. With these data of the material the torus does not
     leave the wall by then (README)."""
@@ -69,7 +69,7 @@ def test_full(run, figures):
 
 
 @scenes(PLASTIC)
-def test_plastic(run, figures):
+def test_energy_becomes_plastic_work(run, figures):
     """The plastic torus, edges of 3.3 mm, until 50 ms: most of the kinetic
     energy becomes plastic work."""
     case = run(PLASTIC)

@@ -60,7 +60,7 @@ def release(case):
 
 
 @pytest.mark.scenes(SIMILAR)
-def test_similar(run, figures):
+def test_similar_bars_of_the_exact_solution(run, figures):
     case = run(SIMILAR)
     e = errors(case)
     with figures("1 similar, 1024") as f:
@@ -111,7 +111,7 @@ def test_first_order_is_worse(run, figures):
 
 
 @pytest.mark.scenes(*REFINED)
-def test_refinement(run, figures):
+def test_errors_fall_with_the_mesh(run, figures):
     cases = [run(scene) for scene in REFINED]
     all_ = [errors(case) for case in cases]
     with figures("1 128 to 1024") as f:
@@ -125,7 +125,7 @@ def test_refinement(run, figures):
 
 
 @pytest.mark.scenes(DISSIMILAR)
-def test_dissimilar(run, figures):
+def test_dissimilar_bars_of_the_exact_solution(run, figures):
     case = run(DISSIMILAR)
     e = errors(case)
     t, u = case.probe("pointA", "pointU")
@@ -175,7 +175,7 @@ def test_only_what_the_dimension_needs(run, figures, scene):
 @pytest.mark.scenes(*SIMPLICIAL, COARSE)
 @pytest.mark.parametrize("scene", SIMPLICIAL,
                          ids=lambda s: f"{s.dimensions}D")
-def test_simplicial(run, figures, scene):
+def test_simplicial_dual_is_the_line(run, figures, scene):
     case, line = run(scene), run(COARSE)
     e, reference = errors(case), errors(line)
     with figures(f"5 simplicial, {scene.dimensions}D") as f:
@@ -202,7 +202,7 @@ def spread(case, time):
 
 @pytest.mark.scenes(*NATIVE, FIXED)
 @pytest.mark.parametrize("scene", NATIVE, ids=lambda s: f"{s.dimensions}D")
-def test_native(run, figures, scene):
+def test_native_dual_is_the_line(run, figures, scene):
     case, line = run(scene), run(FIXED)
     with figures(f"5 native, {scene.dimensions}D") as f:
         for name in "A", "B":

@@ -13,7 +13,7 @@ from smallCases import (ELASTIC, FLOOR, RUBBER, Body, condition, coulomb,
 @pytest.mark.parametrize("cells, material", (
     ((6,), RUBBER), ((6, 6), RUBBER), ((3, 3, 3), RUBBER), ((5, 5, 5), STEEP),
     ((4, 4, 4), ELASTIC)), ids=str)
-def test_conservation(tmp_path, figures, cells, material):
+def test_momenta_to_round_off(tmp_path, figures, cells, material):
     """A free, distorted body with a rough motion: linear and angular momentum
     to round-off, and an energy that only falls, by what is accounted for."""
     n = len(cells)
@@ -152,7 +152,7 @@ def test_work_of_a_moving_clamp(tmp_path, figures):
     ("body", coulomb(0), (4, 4), 2, 0.05),
     ("body", {"type": "tied"}, (4, 4), 1.5, 0.05),
     ("body", coulomb(0.5), (2, 2, 2), 2, 0.005)))
-def test_rest(tmp_path, figures, on, law, counts, ratio, weight):
+def test_comes_to_rest_and_stays(tmp_path, figures, on, law, counts, ratio, weight):
     """A block on a plane or on a deformable base, whatever its mesh, comes to
     rest, stays there, and gains nothing."""
     tied = law["type"] == "tied"

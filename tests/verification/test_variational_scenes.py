@@ -251,7 +251,7 @@ ALUMINIUM = {"type": "neoHookean", "rho": 2700, "E": 70e9, "nu": 0.33}
     pytest.param("tied", 0.49, marks=pytest.mark.xfail(
         strict=True, reason="0.08, with 16 elements 0.05: fronts of pressure "
         "that go to and fro in the rubber"))))
-def test_bumper(tmp_path, figures, joint, nu):
+def test_bumper_loses_little(tmp_path, figures, joint, nu):
     """An aluminium box with a rubber bumper falls on a rigid plane at 3 m/s:
     of its energy little is lost until it has left the plane again."""
     gap, speed, thick = 1e-4, (0, -3, 0), 0.01
@@ -286,7 +286,7 @@ RINGS_I, RINGS_II = (Tutorial("ringCollision", mesh, preset="balanced")
 
 
 @scenes(RINGS_I)
-def test_rings(run, figures):
+def test_rings_keep_their_energy(run, figures):
     """Two rings keep their energy through a long collision."""
     E = run(RINGS_I).totalEnergy
     with figures("scenes, rings I") as f:
@@ -296,7 +296,7 @@ def test_rings(run, figures):
 
 @pytest.mark.slow
 @scenes(RINGS_II)
-def test_finer_rings(run, figures):
+def test_finer_rings_keep_more(run, figures):
     """The same on Mesh II."""
     E = run(RINGS_II).totalEnergy
     with figures("scenes, rings II") as f:
@@ -411,7 +411,7 @@ def test_block_off_a_corner(tmp_path, figures, cells, hits):
                  largest(shape(run) - shape(free))*cells[0], 1e-4)
 
 
-def test_catch(tmp_path, figures):
+def test_hook_snaps_back_without_stress(tmp_path, figures):
     """A hook that is moved over a bump bends, snaps back, and keeps no stress
     when its vibrations have died."""
     bump = {"type": "cylinder", "point1": (1.13, -0.25, -1),

@@ -49,7 +49,7 @@ def errors(folder, mach, waves):
 
 
 @pytest.mark.parametrize("mach", (0.01, 0.1, 0.2, 0.5))
-def test_shock(tmp_path, figures, mach):
+def test_stress_behind_a_shock(tmp_path, figures, mach):
     linear, linearSteps, rise = errors(tmp_path/"linear", mach, "linear")
     stretched, steps, riseStretched = errors(
         tmp_path/"stretched", mach, "stretched")
