@@ -14,7 +14,8 @@ README = (root/"README.md").read_text()
 TOUR = re.findall(r"(?ms)^```sh\n(.*?)^```$", README)
 REFERENCE = root/"tutorials"/"reference"
 PAGES = [root/"README.md", root/"tutorials"/"README.md",
-         root/"tutorials"/"gallery.md", *sorted(REFERENCE.glob("*.md"))]
+         root/"tests"/"README.md", root/"tutorials"/"gallery.md",
+         *sorted(REFERENCE.glob("*.md"))]
 TEXT = {page: page.read_text() for page in PAGES}
 ALL = "\n".join(TEXT.values())
 
@@ -136,3 +137,13 @@ def test_gallery():
         for page in (root/"tutorials").rglob("*/README.md")}
     for name, row in zip(named, table):
         assert f'src="{name}/picture.png"' in row[0]
+
+
+def test_example_of_a_test(tmp_path, figures):
+    """The test in tests/README.md is one."""
+    (block,) = re.findall(r"(?ms)^```python\n(.*?)^```$",
+                          TEXT[root/"tests"/"README.md"])
+    names = {}
+    exec(block, names)
+    (test,) = [name for name in names if name.startswith("test_")]
+    names[test](tmp_path, figures)

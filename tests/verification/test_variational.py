@@ -152,7 +152,8 @@ def test_work_of_a_moving_clamp(tmp_path, figures):
     ("body", coulomb(0), (4, 4), 2, 0.05),
     ("body", {"type": "tied"}, (4, 4), 1.5, 0.05),
     ("body", coulomb(0.5), (2, 2, 2), 2, 0.005)))
-def test_comes_to_rest_and_stays(tmp_path, figures, on, law, counts, ratio, weight):
+def test_comes_to_rest_and_stays(tmp_path, figures, on, law, counts, ratio,
+                                 weight):
     """A block on a plane or on a deformable base, whatever its mesh, comes to
     rest, stays there, and gains nothing."""
     tied = law["type"] == "tied"
