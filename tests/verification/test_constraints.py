@@ -65,7 +65,7 @@ def pressed(folder, endTime=1.5, write=None):
                         pairing="nearestFace")
     return small(folder, (lower, upper), endTime, gravity=GRAVITY,
                  interfaces={"between": contact},
-                 control={"writeInterval": write or endTime, "maxCo": 0.6})
+                 control={"writeInterval": write or endTime})
 
 
 @pytest.mark.parametrize("ranks", (1, 2))

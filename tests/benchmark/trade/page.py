@@ -4,7 +4,6 @@ table."""
 import csv
 from math import log
 from pathlib import Path
-from statistics import median
 
 import peers
 from cases import CASES
@@ -28,33 +27,6 @@ end; *rise* the largest rise of kinetic and strain energy above an earlier value
 `balanced` on the base mesh. One core. `paper` evaluates the fluxes twice a step. Runs whose energy rises by more than {LARGEST_RISE:g} of the initial one are not on the front, however small
 their error is.
 """
-
-
-def elsewhere(rows):
-    """Runs on a machine that is more than twice as fast or slow as that of most
-    of them, by the small fixed case: their costs are not to be compared."""
-    known = [r for r in rows if r.get("calibration", "") != ""]
-    usual = median(float(r["calibration"]) for r in known)
-    return [r for r in known if not 0.5 <= float(r["calibration"])/usual <= 2]
-
-
-def notCompared(rows, compared):
-    """A sentence about them, or nothing."""
-    both = [(r["case"], r["preset"]) for r in elsewhere(rows)] + [
-        (r["case"], r["program"]) for r in elsewhere([*rows, *compared])
-        if "program" in r]
-    counts = {}
-    for case, who in both:
-        counts.setdefault(who, {}).setdefault(CASES[case].title, []).append(1)
-    if not counts:
-        return ""
-    named = "; ".join(
-        f"`{who}`: " + ", ".join(f"{title} ({len(n)})"
-                                 for title, n in titles.items())
-        for who, titles in counts.items())
-    return ("**Not on the same machine as the others, or while it was busy**: the "
-            f"costs of some runs of {named}. They are not to be compared with "
-            "the others.\n")
 
 
 def percent(value, digits=2):
@@ -349,13 +321,12 @@ def writePage(rows, compared):
         row["label"] = label(case, row["options"])
     tables = {name: [r for r in done if r["case"] == name] for name in CASES}
     tables = {name: found for name, found in tables.items() if found}
-    page = [HEAD, notCompared(done, everyone),
-            "## Presets\n", presets(tables),
+    page = [HEAD, "## Presets\n", presets(tables),
             "## Against the scheme before\n",
             "Until November 2026 `balanced` was the paper's scheme with "
             "corrections that are gone (commit f6e7214, measured once, "
-            "against the present references, on a faster machine: the costs now "
-            "are larger for that). As good: but for a fiftieth.\n",
+            "against the present references, on the same machine). As good: but "
+            "for a fiftieth.\n",
             before(tables),
             "## What an error costs\n",
             "The cheapest of all runs, on any mesh, with at most that error:"
