@@ -16,7 +16,7 @@ MESHES = {"similar": "128", "dissimilar": "128", "rings": "5",
 
 # Options of the presets, of vertexCentred and of controlDict
 SCHEME = {"cells": "simplicial", "dissipation": "0.25",
-          "frontDissipation": "0.25", "volume": "automatic"}
+          "frontDissipation": "1", "volume": "automatic"}
 WRITTEN = {
     "fast": ({**SCHEME, "correction": "0"}, {"maxCo": "0.9"}),
     "balanced": ({**SCHEME, "correction": f"{1/3:.17g}"}, {"maxCo": "0.9"}),

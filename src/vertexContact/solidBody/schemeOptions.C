@@ -125,17 +125,17 @@ Foam::schemeOptions::schemeOptions
             dict, "correction", correction, "at least 0 and at most 0.5"
         );
         volume = readEnum(volumeNames, dict, "volume", volume);
-        if (dict.found("frontDissipation"))
-        {
-            frontDissipation = readNumber(dict, "frontDissipation", dimless);
-            require
-            (
-                frontDissipation >= dissipation && frontDissipation <= 1,
-                dict, "frontDissipation", frontDissipation,
-                ("at least dissipation (" + Foam::name(dissipation)
-              + "), and at most 1").c_str()
-            );
-        }
+        frontDissipation = readNumberOrDefault
+        (
+            dict, "frontDissipation", dimless, frontDissipation
+        );
+        require
+        (
+            frontDissipation >= dissipation && frontDissipation <= 1,
+            dict, "frontDissipation", frontDissipation,
+            ("at least dissipation (" + Foam::name(dissipation)
+          + "), and at most 1").c_str()
+        );
         return;
     }
 
@@ -169,15 +169,6 @@ Foam::schemeOptions::schemeOptions
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-Foam::scalar Foam::schemeOptions::atFronts(const direction nDim) const
-{
-    return
-        frontDissipation >= 0 ? frontDissipation
-      : nDim == 1 ? 1
-      : dissipation;
-}
-
 
 Foam::keywordList Foam::schemeOptions::commonKeywords() const
 {
@@ -216,8 +207,8 @@ Foam::keywordList Foam::schemeOptions::variationalKeywords() const
             )
         },
         {
-            "frontDissipation", "-", "dissipation; 1 in one dimension",
-            "the same at fronts, which the step has to bear; at most 1"
+            "frontDissipation", "-", Foam::name(frontDissipation),
+            "dissipation at fronts, which the step has to bear; at most 1"
         }
     };
 }

@@ -469,7 +469,7 @@ Foam::solidBody::solidBody
             new variationalData
             (
                 data_, options_.correction, options_.dissipation,
-                options_.atFronts(dual_.nDim()),
+                options_.frontDissipation,
                 data_.state.solvesJ
             )
         );

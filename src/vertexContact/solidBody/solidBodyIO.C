@@ -745,7 +745,7 @@ void Foam::solidBody::report(Ostream& os) const
             << " components" << nl
             << "    largest frequency " << largestFrequency_
             << " 1/s (undeformed), dissipation " << options_.dissipation
-            << " to " << options_.atFronts(dual_.nDim());
+            << " to " << options_.frontDissipation;
     }
     else
     {

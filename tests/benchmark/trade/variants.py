@@ -21,7 +21,7 @@ SINGLE = {
         "cells": ("simplicialSingle", "native"),
         "correction": ("0.5",),
         "dissipation": ("0.1", "0.5", "1"),
-        "frontDissipation": ("0.25", "0.5", "1"),
+        "frontDissipation": ("0.25", "0.5"),
         "volume": ("nodal", "smoothed"),
         "maxCo": ("0.2", "0.6", "0.8", "0.98")},
     PAPER: {
@@ -58,11 +58,8 @@ def onlyThatMatter(chosen):
         # What its volume needs is known, and it has one speed of waves
         for name in "kinematics", "jacobian", "waveSpeed", "volume":
             chosen[name] = ""
-    line = chosen["dimension"] == "1"
-    if line:
+    if chosen["dimension"] == "1":
         chosen["cells"] = ""
-    if chosen["frontDissipation"] == ("1" if line else "0.25"):
-        chosen["frontDissipation"] = ""
     return chosen
 
 
