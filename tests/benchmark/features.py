@@ -134,6 +134,14 @@ PAIRS = (
      {"gap": 0, "pairing": "matching", "law": coulomb(0.3)}),
     ("steps", "subCycling, speeds of waves 1:20, a tenth stiff, against one "
      "step; a common step", ratio, {"own": False}, {"own": True}),
+    ("slow loading", "massScaling against none, the same step", block,
+     CELLS, {**CELLS, "control": {
+         "massScaling": {"body": {"factor": 1.04}}}}),
+    ("slow loading", "damping against none", block,
+     CELLS, {**CELLS, "control": {"damping": {"body": {"coefficient": 1}}}}),
+    ("slow loading", "relaxation against none", block,
+     CELLS, {**CELLS, "control": {
+         "relaxation": {"type": "kinetic", "tolerance": 1e-9}}}),
     ("dimension", "one layer of 3D against the same in 2D", block,
      {"cells": (100, 100)},
      {"cells": (100, 100, 1), "size": (1, 1, 0.01),

@@ -86,6 +86,12 @@ def invertCell(case):
                  r"\(11\.26 ", "(9.9 ")
 
 
+def control(contents):
+    """More of controlDict."""
+    return replace("system/controlDict", r"functions\s*\{",
+                   f"{contents}\nfunctions {{")
+
+
 def history(name, contents):
     """A function object."""
     return replace("system/controlDict", r"functions\s*\{", (
@@ -339,6 +345,80 @@ CASES = {
     "unknown wave speed": (
         paper(edit(schemes, {"vertexCentred/waveSpeed": "nonlinear"})),
         ("fvSchemes", "waveSpeed", "nonlinear", "stretched")),
+    "keyword of controlDict": (
+        edit("system/controlDict", {"masScalling": 1e-7}),
+        ("controlDict", "masScalling", "massScaling")),
+    "keyword of controlDict, another case": (
+        edit("system/controlDict", {"maxCO": 0.3}),
+        ("controlDict", "maxCO", "maxCo")),
+    "mass scaling that is a number": (
+        edit("system/controlDict", {"massScaling": 1e-7}),
+        ("controlDict", "massScaling", "dictionary")),
+    "relaxation that is a word": (
+        edit("system/controlDict", {"relaxation": "kinetic"}),
+        ("controlDict", "relaxation", "dictionary")),
+    "interval that is a word": (
+        edit("system/controlDict", {"logInterval": "often"}),
+        ("controlDict", "logInterval", "often", "number")),
+    "preset that is a dictionary": (
+        control("preset { balanced; }"), ("controlDict", "preset")),
+    "region of mass scaling": (
+        control("massScaling { bar3 { factor 2; } }"),
+        ("controlDict", "massScaling", "bar3", "bar1")),
+    "expression that matches no region": (
+        control('damping { "pad.*" { coefficient 2; } }'),
+        ("controlDict", "damping", "pad.*", "bar1")),
+    "settings that are no dictionary": (
+        control("massScaling { bar1 4; }"),
+        ("controlDict", "massScaling", "bar1", "dictionary", "factor")),
+    "keyword of mass scaling": (
+        control("massScaling { bar1 { factr 2; } }"),
+        ("controlDict", "massScaling", "bar1", "factr", "factor")),
+    "factor and step": (
+        control("massScaling { bar1 { factor 2; step 1; } }"),
+        ("controlDict", "bar1", "(factor step)")),
+    "neither factor nor step": (
+        control("massScaling { bar1 { force yes; } }"),
+        ("controlDict", "bar1", "(factor step)")),
+    "less mass": (
+        control("massScaling { bar1 { factor 0.5; } }"),
+        ("controlDict", "bar1", "factor", "0.5", "at least 1")),
+    "more mass than is allowed": (
+        control("massScaling { bar1 { factor 2; } }"),
+        ("controlDict", "bar1", "kg", "% of the mass", "limit", "force yes")),
+    "step of no length": (
+        control("massScaling { bar1 { step 0; } }"),
+        ("controlDict", "bar1", "step", "positive")),
+    "step with the paper's scheme": (
+        paper(control("massScaling { bar1 { step 1e-3; } }")),
+        ("controlDict", "bar1", "step", "paper", "factor")),
+    "negative damping": (
+        control("damping { bar1 { coefficient -3; } }"),
+        ("controlDict", "bar1", "coefficient", "-3", "at least 0")),
+    "damping without its value": (
+        control("damping { bar1 { } }"),
+        ("controlDict", "bar1", "coefficient")),
+    "keyword of damping": (
+        control("damping { bar1 { coeficient 3; } }"),
+        ("controlDict", "bar1", "coeficient", "coefficient")),
+    "damping with the paper's scheme": (
+        paper(control("damping { bar1 { coefficient 3; } }")),
+        ("controlDict", "damping", "paper", "(leapfrog)")),
+    "relaxation with the paper's scheme": (
+        paper(control("relaxation { type kinetic; }")),
+        ("controlDict", "relaxation", "paper", "(leapfrog)")),
+    "relaxation with steps of their own": (
+        control("relaxation { type kinetic; } subCycling yes;"),
+        ("controlDict", "relaxation", "subCycling", "must be no")),
+    "unknown relaxation": (
+        control("relaxation { type viscous; }"),
+        ("controlDict", "relaxation", "viscous", "kinetic")),
+    "keyword of relaxation": (
+        control("relaxation { type kinetic; tolerence 1e-3; }"),
+        ("controlDict", "relaxation", "tolerence", "tolerance")),
+    "tolerance of zero": (
+        control("relaxation { type kinetic; tolerance 0; }"),
+        ("controlDict", "relaxation", "tolerance", "positive")),
     "maxCo of zero": (
         edit("system/controlDict", {"maxCo": 0}), ("controlDict", "maxCo")),
 }
@@ -354,6 +434,13 @@ def test_good_input(case):
     done = execute(["vertexContactFoam"], case.path)
     assert done.returncode == 0, done.stdout
     assert "0.01" in timeFolders(case.path)
+
+
+def test_variable_of_the_user(case):
+    """A variable may have a name like one of our keywords."""
+    control("maxC 0.01; secondaryWriteInterval $maxC;")(case)
+    done = execute(["vertexContactFoam"], case.path)
+    assert done.returncode == 0, done.stdout
 
 
 @pytest.mark.parametrize("what", CASES)

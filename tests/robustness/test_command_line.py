@@ -12,7 +12,8 @@ from smallCases import ELASTIC, Body, SmallCase, condition, interface
 
 LISTS = {"listMaterials", "listContactLaws", "listPairings",
          "listBoundaryConditions", "listBodyForces", "listSchemes",
-         "listPresets", "listIntegrators", "listFunctionObjects"}
+         "listControls", "listPresets", "listIntegrators",
+         "listFunctionObjects"}
 
 
 def bars(path, cells=20, **control):

@@ -21,6 +21,7 @@ LISTS = (
     ("BodyForces", "case.md"),
     ("Pairings", "contact.md"),
     ("ContactLaws", "contact.md"),
+    ("Controls", "options.md"),
     ("Presets", "options.md"),
     ("Integrators", "options.md"),
     ("Schemes", "options.md"),

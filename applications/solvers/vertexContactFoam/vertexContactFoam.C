@@ -29,8 +29,8 @@ Usage
         steps; two bars, whose number of steps is exact, 1.3 s instead of 0.8.
 
       - \par -listMaterials, -listContactLaws, -listPairings,
-        -listBoundaryConditions, -listBodyForces, -listSchemes, -listPresets,
-        -listIntegrators, -listFunctionObjects
+        -listBoundaryConditions, -listBodyForces, -listSchemes, -listControls,
+        -listPresets, -listIntegrators, -listFunctionObjects
         List what may be written in a case, with units, defaults and meaning,
         and end. No case is needed (modelLists).
 

@@ -62,6 +62,19 @@ Foam::word Foam::dictionaryCheck::nearest
 }
 
 
+Foam::word Foam::dictionaryCheck::within
+(
+    const word& given,
+    const UList<word>& valid,
+    const label letters
+)
+{
+    const word best(nearest(given, valid));
+    return
+        best.size() && editDistance(given, best) <= letters ? best : word();
+}
+
+
 namespace
 {
 

@@ -18,6 +18,7 @@
 #include "obstacleMotion.H"
 #include "solidBoundaryCondition.H"
 #include "solidFunctionObject.H"
+#include "controlKeywords.H"
 #include "stepRatios.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -229,6 +230,20 @@ void listPresets(Ostream& os)
 }
 
 
+void listControls(Ostream& os)
+{
+    writeHeading
+    (
+        os,
+        "Controls: keywords of vertexContact in system/controlDict, defaults "
+        "of preset balanced; <region> is a name, or a regular expression of "
+        "names in quotes"
+    );
+    controlKeywords::keywords().write(os);
+    os  << nl;
+}
+
+
 void listIntegrators(Ostream& os)
 {
     writeHeading
@@ -302,6 +317,10 @@ const listOption options[] =
     {
         "listSchemes", "List keywords and values of vertexCentred (fvSchemes)",
         listSchemes
+    },
+    {
+        "listControls", "List keywords of controlDict and of slow loading",
+        listControls
     },
     {"listPresets", "List presets and what they stand for", listPresets},
     {"listIntegrators", "List time integrators", listIntegrators},

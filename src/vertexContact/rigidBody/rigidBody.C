@@ -482,6 +482,62 @@ Foam::scalar Foam::rigidBody::kineticEnergy
 }
 
 
+Foam::scalar Foam::rigidBody::freeKineticEnergy() const
+{
+    if (!Pstream::master()) return 0;
+    const vector L(rotation_ == freedom::none ? vector(Zero) : now_.L);
+    return kinetic(now_, translation_ & now_.P, L);
+}
+
+
+Foam::scalar Foam::rigidBody::heldKineticEnergy() const
+{
+    if (!Pstream::master()) return 0;
+    const vector L(rotation_ == freedom::none ? now_.L : vector(Zero));
+    return kinetic(now_, held() & now_.P, L);
+}
+
+
+void Foam::rigidBody::stop()
+{
+    now_.P = held() & now_.P;
+    if (rotation_ != freedom::none) now_.L = vector::zero;
+}
+
+
+void Foam::rigidBody::startFromRest(const scalar half)
+{
+    const load all(total());
+    now_.P -= half*(translation_ & all.force);
+    if (rotation_ == freedom::all) now_.L -= half*all.moment;
+    if (rotation_ == freedom::axis)
+    {
+        now_.L -= half*(all.moment & axis_)*axis_;
+    }
+}
+
+
+Foam::rigidBody::loadBalance Foam::rigidBody::balance() const
+{
+    loadBalance b;
+    if (!Pstream::master()) return b;
+    const load all(total());
+    const scalar perLength =
+        std::sqrt(mass_.mass/max(tr(inertia_)/nDim_, VSMALL));
+    b.unbalanced = mag(translation_ & all.force);
+    if (rotation_ == freedom::all)
+    {
+        b.unbalanced += perLength*mag(all.moment);
+    }
+    else if (rotation_ == freedom::axis)
+    {
+        b.unbalanced += perLength*mag(all.moment & axis_);
+    }
+    b.loads = mag(applied_.force) + mag(contact_.force);
+    return b;
+}
+
+
 Foam::vector Foam::rigidBody::linearMomentum() const
 {
     if (!Pstream::master()) return vector::zero;

@@ -336,7 +336,7 @@ void Foam::solidBody::addBodyForces(const scalar time, const bool energy)
     {
         if (gravity_[i] != 0)
         {
-            const scalar f = data_.rho*gravity_[i];
+            const scalar f = material_->weightRho()*gravity_[i];
             for (label a = 0; a < dual_.nNodes(); ++a) add(a, i, f);
         }
     }
@@ -352,7 +352,7 @@ void Foam::solidBody::addBodyForces(const scalar time, const bool energy)
         {
             for (label i = 0; i < d; ++i)
             {
-                add(a, i, data_.rho*acceleration_[a*d + i]);
+                add(a, i, material_->weightRho()*acceleration_[a*d + i]);
             }
         }
     }
@@ -810,6 +810,7 @@ void Foam::solidBody::finishRates(const scalar time, const bool energy)
         evaluateRigid(time);
         return;
     }
+    if (damping_.valid()) damping_->setTime(time);
     addBodyForces(time, energy);
     if (reactions_.valid())
     {

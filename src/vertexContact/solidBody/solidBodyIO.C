@@ -729,7 +729,13 @@ void Foam::solidBody::report(Ostream& os) const
         return;
     }
     os  << "    material " << material_->type()
-        << ", rho " << material_->rho() << " kg/m3, cp " << material_->cp()
+        << ", rho " << material_->rho() << " kg/m3";
+    if (massFactor() != 1)
+    {
+        os  << " (" << material_->weightRho() << " times " << massFactor()
+            << ", massScaling)";
+    }
+    os  << ", cp " << material_->cp()
         << " m/s, cs " << material_->cs() << " m/s" << nl
         << "    cells " << medianDual::cellTreatmentNames[options_.cells];
     if (data_.variational)
@@ -759,7 +765,9 @@ void Foam::solidBody::report(Ostream& os) const
     }
     os  << (bodyForces_.empty() ? " off" : "")
         << ", contact " << onOff(hasContact_)
-        << ", plasticity " << onOff(material_->plastic()) << nl
+        << ", plasticity " << onOff(material_->plastic());
+    if (damping_.valid()) os << ", damping on";
+    os  << nl
         << "    " << label(allBytes/max(nNodes, label(1)))
         << " bytes per node" << nl;
 }

@@ -723,7 +723,14 @@ Foam::solidBody::powers Foam::solidBody::presentPowers() const
     {
         for (label i = 0; i < d; ++i) v[a*d + i] = velocity(a, i);
     }
-    return powersOf(v);
+    powers p(powersOf(v));
+    if (damping_.valid())
+    {
+        // Since the time of the momentum, so that free motions balance exactly
+        forAll(v, k) v[k] = 0.5*(v[k] + data_.state.lm[k]/data_.rho);
+        p.damping = dampingPower(v, damping_->ofMean(0.5*lastStep_));
+    }
+    return p;
 }
 
 
@@ -776,7 +783,11 @@ void Foam::solidBody::leap
     scalar* lm = data_.state.lm.data();
     const scalar perRho = 1/data_.rho;
 
-    withDirections(d, [&](auto D)
+    if (damping_.valid())
+    {
+        kickDamped(kick);
+    }
+    else withDirections(d, [&](auto D)
     {
         scalar* old = data_.old.lm.data();
         for (label a = 0; a < dual_.nNodes(); ++a)
@@ -804,6 +815,11 @@ void Foam::solidBody::leap
         accounts.external += kick*p.external;
         accounts.contact += kick*p.contact;
         accounts.external += imposedWork(v);
+        if (damping_.valid())
+        {
+            accounts.damping +=
+                kick*dampingPower(v, damping_->ofMean(kick));
+        }
     }
     if (reactions_.valid()) accountReactions(kick);
 

@@ -114,6 +114,8 @@ void Foam::solidSystem::energies::operator+=(const energies& e)
     numericalDissipation += e.numericalDissipation;
     externalWork += e.externalWork;
     contactWork += e.contactWork;
+    dampingDissipation += e.dampingDissipation;
+    relaxationDissipation += e.relaxationDissipation;
     balance += e.balance;
 }
 
@@ -815,6 +817,7 @@ Foam::solidSystem::solidSystem(Time& runTime)
     ratios_.reset(new stepRatios(runTime.controlDict(), countNodes()));
     checkIntegrator();
     checkRigid();
+    readSlowLoading(record);
 
     IOobject contactIO
     (
@@ -986,6 +989,7 @@ Foam::solidSystem::energies Foam::solidSystem::bodyEnergies
         accounts.numericalDissipation += half*p.numericalDissipation;
         accounts.external += half*p.external;
         accounts.contact += half*p.contact;
+        accounts.damping += half*p.damping;
     }
 
     energies e;
@@ -996,9 +1000,19 @@ Foam::solidSystem::energies Foam::solidSystem::bodyEnergies
     e.plasticDissipation = returnReduce(accounts.plastic, sumOp<scalar>());
     e.externalWork = returnReduce(accounts.external, sumOp<scalar>());
     e.contactWork = returnReduce(accounts.contact, sumOp<scalar>());
+    if (damped_)
+    {
+        e.dampingDissipation = returnReduce(accounts.damping, sumOp<scalar>());
+    }
+    if (relaxation_.valid())
+    {
+        e.relaxationDissipation =
+            returnReduce(accounts.relaxation, sumOp<scalar>());
+    }
     e.balance =
         e.total() - initialEnergy_[i] + e.numericalDissipation
-      + e.plasticDissipation - e.externalWork - e.contactWork;
+      + e.plasticDissipation + e.dampingDissipation
+      + e.relaxationDissipation - e.externalWork - e.contactWork;
     return e;
 }
 
@@ -1122,6 +1136,7 @@ void Foam::solidSystem::finishStep()
     if (integrator_.leapfrog())
     {
         leap(time);
+        if (relaxation_.valid()) relax(time);
         if (maxEnergyRise_ > 0)
         {
             checkEnergy();

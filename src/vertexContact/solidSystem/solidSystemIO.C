@@ -6,6 +6,7 @@
 
 #include "solidSystem.H"
 #include "passTimes.H"
+#include "controlKeywords.H"
 #include "dictionaryCheck.H"
 #include "writtenTimes.H"
 #include "IOdictionary.H"
@@ -183,6 +184,7 @@ void Foam::solidSystem::checkImpacts() const
 
 void Foam::solidSystem::checkControls() const
 {
+    controlKeywords::check(runTime_);
     if (maxCo() > largestCo)
     {
         WarningInFunction
@@ -303,6 +305,10 @@ void Foam::solidSystem::readAccounts(const dictionary& dict)
                     body.getOrDefault<scalar>("plasticDissipation", 0);
                 accounts_[i].external = body.get<scalar>("externalWork");
                 accounts_[i].contact = body.get<scalar>("contactWork");
+                accounts_[i].damping =
+                    body.getOrDefault<scalar>("dampingDissipation", 0);
+                accounts_[i].relaxation =
+                    body.getOrDefault<scalar>("relaxationDissipation", 0);
             }
         }
         for (contactInterface& contact : interfaces_)
@@ -495,6 +501,7 @@ void Foam::solidSystem::log()
             << "  dissipated " << e.numericalDissipation
             << "  balance " << e.balance << " J";
     }
+    if (relaxation_.valid()) relaxation_->log(os);
     os  << "  contacts " << nClosed << "  left "
         << (done > 0 ? std::round(max(left, scalar(0))*elapsed/done) : 0)
         << " s" << endl;
@@ -511,7 +518,12 @@ const Foam::word& Foam::solidSystem::type() const
 
 void Foam::solidSystem::write()
 {
-    if (asked_ >= stopSignals::writeAndEnd)
+    if (relaxation_.valid() && relaxation_->done())
+    {
+        Info<< "The bodies are in balance: the run ends" << endl;
+        runTime_.writeAndEnd();
+    }
+    else if (asked_ >= stopSignals::writeAndEnd)
     {
         Info<< "Asked by a signal to write and to end" << endl;
         runTime_.writeAndEnd();
@@ -597,12 +609,32 @@ bool Foam::solidSystem::writeData(Ostream& os) const
             << ';' << nl
             << "    externalWork " << total(accounts_[i].external) << ';' << nl
             << "    contactWork " << total(accounts_[i].contact) << ';' << nl;
+        if (damped_)
+        {
+            text<< "    dampingDissipation " << total(accounts_[i].damping)
+                << ';' << nl;
+        }
+        if (relaxation_.valid())
+        {
+            text<< "    relaxationDissipation "
+                << total(accounts_[i].relaxation) << ';' << nl;
+        }
+        if (bodies_[i].massFactor() != 1)
+        {
+            text<< "    massFactor " << bodies_[i].massFactor() << ';' << nl;
+        }
         if (bodies_[i].rigid())
         {
             text<< "    rigid" << nl << "    {" << nl;
             bodies_[i].writeRigid(text);
             text<< "    }" << nl;
         }
+        text<< '}' << nl;
+    }
+    if (relaxation_.valid())
+    {
+        text<< "relaxation" << nl << '{' << nl;
+        relaxation_->write(text);
         text<< '}' << nl;
     }
     for (const contactInterface& contact : interfaces_)
@@ -648,6 +680,12 @@ void Foam::solidSystem::report(Ostream& os) const
     if (ratios_->active())
     {
         os  << "Steps of their own for the regions" << nl;
+    }
+    massScaling_->report(bodies_, os);
+    if (relaxation_.valid())
+    {
+        os  << "Relaxation: at each peak of the kinetic energy what is free "
+            << "is stopped" << nl;
     }
     for (const solidBody& body : bodies_)
     {
@@ -707,6 +745,7 @@ void Foam::solidSystem::reportCost(OSstream& os) const
 
     reportRange(os);
     reportGain();
+    if (relaxation_.valid() && !dry_) relaxation_->report(os);
 
     if (interfaces_.size() && steps_)
     {

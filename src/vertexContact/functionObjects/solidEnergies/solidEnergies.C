@@ -48,12 +48,17 @@ Foam::functionObjects::solidEnergies::solidEnergies
         *momentum_ << "# Time[s]";
         for (const word& owner : owners)
         {
-            const char* const energyNames[] =
-            {
+            DynamicList<const char*> energyNames
+            ({
                 "kinetic", "strain", "plasticDissipation",
                 "numericalDissipation", "externalWork", "contactWork",
                 "balance"
-            };
+            });
+            if (solids_.damped()) energyNames.append("dampingDissipation");
+            if (solids_.relaxes())
+            {
+                energyNames.append("relaxationDissipation");
+            }
             for (const char* e : energyNames)
             {
                 *energies_ << ' ' << owner.c_str() << ':' << e << "[J]";
@@ -110,6 +115,11 @@ bool Foam::functionObjects::solidEnergies::writeRow()
                 << ' ' << e.numericalDissipation
                 << ' ' << e.externalWork << ' ' << e.contactWork
                 << ' ' << e.balance;
+            if (solids_.damped()) *energies_ << ' ' << e.dampingDissipation;
+            if (solids_.relaxes())
+            {
+                *energies_ << ' ' << e.relaxationDissipation;
+            }
         }
         *energies_ << ' ' << all.last().frictionDissipation << endl;
 

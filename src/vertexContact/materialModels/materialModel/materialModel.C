@@ -160,13 +160,13 @@ Foam::keywordList Foam::materialModel::commonKeywords()
 
 Foam::scalar Foam::materialModel::cp() const
 {
-    return std::sqrt((kappa_ + 4*mu_/3)/rho_);
+    return std::sqrt((kappa_ + 4*mu_/3)/rho());
 }
 
 
 Foam::scalar Foam::materialModel::cs() const
 {
-    return std::sqrt(mu_/rho_);
+    return std::sqrt(mu_/rho());
 }
 
 

@@ -1,0 +1,155 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "massScaling.H"
+#include "regionSettings.H"
+#include "dictionaryCheck.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+scalar readFactor(const dictionary& dict, solidBody& body)
+{
+    using namespace dictionaryCheck;
+    if (dict.found("factor") == dict.found("step"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Keyword 'massScaling': region '" << body.name() << "' must "
+            << "have exactly one of (factor step)" << exit(FatalIOError);
+    }
+    if (dict.found("factor"))
+    {
+        const scalar factor = readNumber(dict, "factor", dimless);
+        require(factor >= 1, dict, "factor", factor, "at least 1");
+        return factor;
+    }
+    const scalar step = readNumber(dict, "step", dimTime);
+    require(step > 0, dict, "step", step, "positive");
+    if (!body.variational())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Keyword 'step' does not go with preset paper. Valid keyword "
+            << "for it: factor" << exit(FatalIOError);
+    }
+    return max(scalar(1), sqr(step/body.undeformedTimeScale()));
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::massScaling::massScaling
+(
+    const dictionary& controlDict,
+    const dictionary& record,
+    PtrList<solidBody>& bodies
+)
+{
+    DynamicList<word> names;
+    DynamicList<label> which;
+    forAll(bodies, i)
+    {
+        if (bodies[i].rigid()) continue;
+        names.append(bodies[i].name());
+        which.append(i);
+    }
+    const List<const dictionary*> settings
+    (
+        regionSettings::read
+        (
+            controlDict, "massScaling", wordList(names), keywords()
+        )
+    );
+    const auto before = [&](const label i)
+    {
+        return record.subOrEmptyDict("region_" + bodies[i].name())
+            .getOrDefault<scalar>("massFactor", 1);
+    };
+    if (settings.empty())
+    {
+        // Momenta of an earlier run
+        for (const label i : which) bodies[i].scaleMass(1, before(i));
+        return;
+    }
+
+    scalarField mass(which.size());
+    forAll(which, k)
+    {
+        mass[k] = returnReduce(bodies[which[k]].mass(), sumOp<scalar>());
+    }
+    forAll(which, k)
+    {
+        solidBody& body = bodies[which[k]];
+        const scalar factor = settings[k] ? readFactor(*settings[k], body) : 1;
+        body.scaleMass(factor, before(which[k]));
+        if (!settings[k]) continue;
+
+        const dictionary& dict = *settings[k];
+        added a;
+        a.body = which[k];
+        a.mass = (factor - 1)*mass[k];
+        a.ofAll = a.mass/sum(mass);
+        const scalar limit =
+            dictionaryCheck::readNumberOrDefault(dict, "limit", dimless, 0.05);
+        dictionaryCheck::require
+        (
+            limit >= 0, dict, "limit", limit, "at least 0"
+        );
+        if (a.ofAll > limit && !dict.getOrDefault("force", false))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Keyword 'massScaling': region '" << body.name()
+                << "' with the factor " << factor << " adds " << a.mass
+                << " kg, " << 100*a.ofAll << " % of the mass of all regions "
+                << "that deform. It must be at most 'limit', " << 100*limit
+                << " %, or 'force yes'" << exit(FatalIOError);
+        }
+        regions_.append(a);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::keywordList Foam::massScaling::keywords()
+{
+    return
+    {
+        {"factor", "-", "or step", "of the density, at least 1"},
+        {"step", "s", "or factor", "stable step of the undeformed region"},
+        {
+            "limit", "-", "0.05",
+            "added mass by that of all regions that deform, at most"
+        },
+        {"force", "", "no", "yes: also above the limit"}
+    };
+}
+
+
+void Foam::massScaling::report
+(
+    const PtrList<solidBody>& bodies,
+    Ostream& os
+) const
+{
+    for (const added& a : regions_)
+    {
+        const scalar factor = bodies[a.body].massFactor();
+        os  << "Mass scaling: region " << bodies[a.body].name() << " moves as "
+            << "if it had " << factor << " times its mass: " << a.mass
+            << " kg added, " << 100*(factor - 1) << " % of its own, "
+            << 100*a.ofAll << " % of all. Momentum and kinetic energy are "
+            << "those of the scaled mass, weight is that of the true one" << nl;
+    }
+}
+
+
+// ************************************************************************* //

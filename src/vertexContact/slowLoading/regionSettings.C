@@ -1,0 +1,67 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "regionSettings.H"
+#include "dictionaryCheck.H"
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+Foam::List<const Foam::dictionary*> Foam::regionSettings::read
+(
+    const dictionary& controlDict,
+    const word& keyword,
+    const wordList& regions,
+    const keywordList& valid
+)
+{
+    List<const dictionary*> settings;
+    if (!controlDict.found(keyword)) return settings;
+    if (!controlDict.isDict(keyword))
+    {
+        FatalIOErrorInFunction(controlDict)
+            << "Keyword '" << keyword << "' is not a dictionary: it holds one "
+            << "for each region, or for those that a regular expression in "
+            << "quotes matches. Their keywords: "
+            << dictionaryCheck::listed(valid.names()).c_str()
+            << exit(FatalIOError);
+    }
+    const dictionary& all = controlDict.subDict(keyword);
+    for (const entry& e : all)
+    {
+        if (!e.isDict())
+        {
+            FatalIOErrorInFunction(all)
+                << "Keyword '" << e.keyword() << "' is not a dictionary. "
+                << "Keywords of those of a region: "
+                << dictionaryCheck::listed(valid.names()).c_str()
+                << exit(FatalIOError);
+        }
+        dictionaryCheck::onlyKeywords(e.dict(), valid);
+        bool some = false;
+        for (const word& region : regions)
+        {
+            some = some || e.keyword().match(region);
+        }
+        if (!some)
+        {
+            FatalIOErrorInFunction(all)
+                << "Keyword '" << e.keyword() << "' is none of the regions "
+                << "that deform, and matches none of them. These are: "
+                << dictionaryCheck::listed(regions).c_str()
+                << exit(FatalIOError);
+        }
+    }
+
+    settings.setSize(regions.size(), nullptr);
+    forAll(regions, i)
+    {
+        settings[i] = all.findDict(regions[i]);
+    }
+    return settings;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,303 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+-------------------------------------------------------------------------------
+Description
+    What slow loading asks of a body: scaled mass, damping, stops (massScaling,
+    massDamping, kineticRelaxation).
+
+\*---------------------------------------------------------------------------*/
+
+#include "solidBody.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::solidBody::findHeld()
+{
+    if (rigid_.valid() || heldBy_.size()) return;
+    heldBy_.setSize(dual_.nNodes(), 0);
+    for (const label a : fixedNodes_) heldBy_[a] = 1;
+    forAll(directions_.nodes(), k) heldBy_[directions_.nodes()[k]] = 2 + k;
+}
+
+
+void Foam::solidBody::freePart(const label node, scalar* p) const
+{
+    const label by = heldBy_[node];
+    if (by == 1)
+    {
+        for (label i = 0; i < dual_.nDim(); ++i) p[i] = 0;
+    }
+    else if (by > 1)
+    {
+        directions_.project(p, by - 2, [](const label, const scalar) {});
+    }
+}
+
+
+void Foam::solidBody::kickDamped(const scalar kick)
+{
+    const scalar T = damping_->tanhOf(kick);
+    const scalar share = kick/(1 + T);
+    const scalar keep = (1 - T)/(1 + T);
+    withDirections(dual_.nDim(), [&](auto D)
+    {
+        scalar* lm = data_.state.lm.data();
+        scalar* old = data_.old.lm.data();
+        for (label a = 0; a < dual_.nNodes(); ++a)
+        {
+            const scalar* rate = data_.rates.cdata() + a*data_.strideRates;
+            for (int i = 0; i < D.value; ++i)
+            {
+                const label k = a*D.value + i;
+                old[k] = lm[k];
+                lm[k] = keep*lm[k] + share*rate[i];
+            }
+        }
+    });
+}
+
+
+Foam::scalar Foam::solidBody::dampingPower
+(
+    const scalarField& velocity,
+    const scalar coefficient
+) const
+{
+    const label d = dual_.nDim();
+    scalar sum = 0;
+    for (label a = 0; a < dual_.nNodes(); ++a)
+    {
+        scalar v[3];
+        for (label i = 0; i < d; ++i) v[i] = velocity[a*d + i];
+        if (heldBy_[a]) freePart(a, v);
+        scalar vv = 0;
+        for (label i = 0; i < d; ++i) vv += v[i]*v[i];
+        sum += ownedVolume_[a]*vv;
+    }
+    return coefficient*data_.rho*sum;
+}
+
+
+Foam::scalar Foam::solidBody::dampedVelocity
+(
+    const label node,
+    const label i
+) const
+{
+    // Half a kick, as the leapfrog's
+    const label d = dual_.nDim();
+    const scalar* lm = data_.state.lm.cdata() + node*d;
+    if (!evaluated_ || lastStep_ <= 0) return lm[i]/data_.rho;
+    const scalar half = 0.5*lastStep_;
+    const scalar T = damping_->tanhOf(half);
+    const scalar* rate = data_.rates.cdata() + node*data_.strideRates;
+    scalar change[3];
+    for (label j = 0; j < d; ++j)
+    {
+        change[j] = (half*rate[j] - 2*T*lm[j])/(1 + T);
+    }
+    if (heldBy_[node]) freePart(node, change);
+    return (lm[i] + change[i])/data_.rho;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::solidBody::scaleMass(const scalar factor, const scalar before)
+{
+    if (rigid_.valid()) return;
+    if (factor != before)
+    {
+        for (scalar& lm : data_.state.lm) lm *= factor/before;
+    }
+    if (factor == 1) return;
+
+    material_->scaleMass(factor);
+    data_.rho = material_->rho();
+    data_.cp = material_->cp();
+    data_.cs = material_->cs();
+    forAll(corners_, patchi)
+    {
+        if (!corners_.set(patchi)) continue;
+        corners_[patchi].zp = data_.rho*data_.cp;
+        corners_[patchi].zs = data_.rho*data_.cs;
+    }
+    if (x_.valid())
+    {
+        x_->volumeImpedance *= std::sqrt(factor);
+        largestFrequency_ /= std::sqrt(factor);
+    }
+}
+
+
+Foam::scalar Foam::solidBody::undeformedTimeScale()
+{
+    // As a body that begins; the state is put back
+    const conservedState start
+    (
+        dual_.nNodes(), dual_.nDim(), kinematicsOf(options_, *material_),
+        data_.finiteStrain
+    );
+    const scalarField F(data_.state.F), H(data_.state.H);
+    const scalarField waveFactor(data_.waveFactor);
+    data_.state.F = start.F;
+    data_.state.H = start.H;
+    data_.waveFactor = scalar(1);
+
+    variational_->sumWaves(data_, *x_);
+    dual_.sharing().sum
+    (
+        x_->waves.data(), variationalLayout::strideWaves(dual_.nDim())
+    );
+    const scalar step =
+        returnReduce(variational_->timeScale(data_, *x_), minOp<scalar>());
+
+    data_.state.F = F;
+    data_.state.H = H;
+    data_.waveFactor = waveFactor;
+    return step;
+}
+
+
+void Foam::solidBody::setDamping(const dictionary& dict)
+{
+    damping_.reset(new massDamping(dict));
+    damping_->setTime(time_.value());
+    findHeld();
+}
+
+
+Foam::scalar Foam::solidBody::freeKineticEnergy() const
+{
+    if (rigid_.valid()) return rigid_->freeKineticEnergy();
+    const label d = dual_.nDim();
+    scalar sum = 0;
+    for (label a = 0; a < dual_.nNodes(); ++a)
+    {
+        scalar lm[3];
+        for (label i = 0; i < d; ++i) lm[i] = data_.state.lm[a*d + i];
+        if (heldBy_[a]) freePart(a, lm);
+        scalar square = 0;
+        for (label i = 0; i < d; ++i) square += lm[i]*lm[i];
+        sum += ownedVolume_[a]*square;
+    }
+    return 0.5*sum/data_.rho;
+}
+
+
+Foam::scalar Foam::solidBody::heldKineticEnergy() const
+{
+    if (rigid_.valid()) return rigid_->heldKineticEnergy();
+    const label d = dual_.nDim();
+    scalar sum = 0;
+    const auto add = [&](const label a)
+    {
+        scalar lm[3], held[3];
+        for (label i = 0; i < d; ++i) held[i] = lm[i] = data_.state.lm[a*d + i];
+        freePart(a, lm);
+        for (label i = 0; i < d; ++i)
+        {
+            sum += ownedVolume_[a]*sqr(held[i] - lm[i]);
+        }
+    };
+    for (const label a : fixedNodes_) add(a);
+    for (const label a : directions_.nodes()) add(a);
+    return 0.5*sum/data_.rho;
+}
+
+
+void Foam::solidBody::stop()
+{
+    if (rigid_.valid())
+    {
+        rigid_->stop();
+        placeAll();
+        return;
+    }
+    const label d = dual_.nDim();
+    for (label a = 0; a < dual_.nNodes(); ++a)
+    {
+        scalar* lm = data_.state.lm.data() + a*d;
+        if (!heldBy_[a])
+        {
+            for (label i = 0; i < d; ++i) lm[i] = 0;
+            continue;
+        }
+        scalar p[3];
+        for (label i = 0; i < d; ++i) p[i] = lm[i];
+        freePart(a, p);
+        for (label i = 0; i < d; ++i) lm[i] -= p[i];
+    }
+    collected_ = false;
+}
+
+
+void Foam::solidBody::startFromRest()
+{
+    const scalar half = 0.5*lastStep_;
+    if (rigid_.valid())
+    {
+        rigid_->startFromRest(half);
+        placeAll();
+        return;
+    }
+    const label d = dual_.nDim();
+    const scalar share =
+        damping_.valid() ? half/(1 - damping_->tanhOf(half)) : half;
+    for (label a = 0; a < dual_.nNodes(); ++a)
+    {
+        // Of what is held the rates are zero
+        const scalar* rate = data_.rates.cdata() + a*data_.strideRates;
+        for (label i = 0; i < d; ++i)
+        {
+            data_.state.lm[a*d + i] -= share*rate[i];
+        }
+    }
+}
+
+
+Foam::solidBody::forceBalance Foam::solidBody::balance()
+{
+    forceBalance b;
+    if (rigid_.valid())
+    {
+        const rigidBody::loadBalance its(rigid_->balance());
+        b.unbalanced = its.unbalanced;
+        b.loads = its.loads;
+    }
+    else
+    {
+        // Rates are sums already; what acts from outside is this rank's share
+        const label d = dual_.nDim();
+        scalarField& loads = work_;
+        loads = externalForce_;
+        for (const label a : contactNodes_)
+        {
+            for (label i = 0; i < d; ++i)
+            {
+                loads[a*d + i] += contactForce_[a*d + i];
+            }
+        }
+        dual_.sharing().sum(loads.data(), d);
+        for (label a = 0; a < dual_.nNodes(); ++a)
+        {
+            const scalar* rate = data_.rates.cdata() + a*data_.strideRates;
+            scalar out = 0, load = 0;
+            for (label i = 0; i < d; ++i)
+            {
+                out += sqr(rate[i]);
+                load += sqr(loads[a*d + i]);
+            }
+            b.unbalanced += ownedVolume_[a]*std::sqrt(out);
+            b.loads += ownedVolume_[a]*std::sqrt(load);
+        }
+    }
+    reduce(b.unbalanced, sumOp<scalar>());
+    reduce(b.loads, sumOp<scalar>());
+    return b;
+}
+
+
+// ************************************************************************* //

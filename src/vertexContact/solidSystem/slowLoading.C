@@ -1,0 +1,109 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+-------------------------------------------------------------------------------
+Description
+    Slow loading of a solidSystem: scaled masses, damping, and relaxation.
+
+\*---------------------------------------------------------------------------*/
+
+#include "solidSystem.H"
+#include "regionSettings.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::solidSystem::readSlowLoading(const dictionary& record)
+{
+    const dictionary& control = runTime_.controlDict();
+    massScaling_.reset(new massScaling(control, record, bodies_));
+
+    DynamicList<word> names;
+    DynamicList<label> which;
+    forAll(bodies_, i)
+    {
+        if (bodies_[i].rigid()) continue;
+        names.append(bodies_[i].name());
+        which.append(i);
+    }
+    const List<const dictionary*> settings
+    (
+        regionSettings::read
+        (
+            control, "damping", wordList(names), massDamping::keywords()
+        )
+    );
+    damped_ = settings.size();
+    const bool relaxes = control.found("relaxation");
+    if ((damped_ || relaxes) && !integrator_.leapfrog())
+    {
+        FatalIOErrorInFunction(control)
+            << "Keyword '" << (damped_ ? "damping" : "relaxation")
+            << "' does not go with preset " << preset::names[preset_.name]
+            << " (timeIntegrator "
+            << timeIntegrator::names[integrator_.type()]
+            << "). Valid integrators for it: (leapfrog)"
+            << exit(FatalIOError);
+    }
+    forAll(settings, k)
+    {
+        if (settings[k]) bodies_[which[k]].setDamping(*settings[k]);
+    }
+
+    if (!relaxes) return;
+    if (ratios_->active())
+    {
+        FatalIOErrorInFunction(control)
+            << "Keyword 'relaxation' does not go with subCycling: bodies that "
+            << "are stopped begin again with one step. 'subCycling' must be no"
+            << exit(FatalIOError);
+    }
+    relaxation_.reset(new kineticRelaxation(control));
+    relaxation_->read(record.subOrEmptyDict("relaxation"));
+    for (solidBody& body : bodies_) body.prepareStop();
+}
+
+
+void Foam::solidSystem::relax(const scalar time)
+{
+    scalar kinetic = 0;
+    for (const solidBody& body : bodies_) kinetic += body.freeKineticEnergy();
+    reduce(kinetic, sumOp<scalar>());
+    if (!relaxation_->atPeak(time, kinetic)) return;
+
+    // Accounts are those of the momenta, energies those of this time, half a
+    // step later (bodyEnergies): these balance before and after
+    const auto book = [&](const scalar sign)
+    {
+        for (label i = 0; energiesOn_ && i < bodies_.size(); ++i)
+        {
+            const solidBody::powers p(bodies_[i].presentPowers());
+            const scalar half = sign*0.5*bodies_[i].lastStep();
+            accounts_[i].numericalDissipation += half*p.numericalDissipation;
+            accounts_[i].external += half*p.external;
+            accounts_[i].contact += half*p.contact;
+            accounts_[i].damping += half*p.damping;
+            accounts_[i].relaxation += sign*bodies_[i].kineticEnergy();
+        }
+    };
+    book(1);
+    for (solidBody& body : bodies_) body.stop();
+    evaluateForces(time, false);
+
+    solidBody::forceBalance all;
+    scalar held = 0;
+    for (solidBody& body : bodies_)
+    {
+        const solidBody::forceBalance its(body.balance());
+        all.unbalanced += its.unbalanced;
+        all.loads += its.loads;
+        held += body.heldKineticEnergy();
+    }
+    relaxation_->setBalance(all, returnReduce(held, sumOp<scalar>()));
+
+    for (solidBody& body : bodies_) body.startFromRest();
+    book(-1);
+}
+
+
+// ************************************************************************* //
