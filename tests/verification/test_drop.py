@@ -25,7 +25,7 @@ def away(case):
 
 
 @pytest.mark.scenes(ELASTIC, RIGID)
-@pytest.mark.parametrize("scene, peak", ((RIGID, 0.05), (ELASTIC, 0.1)),
+@pytest.mark.parametrize("scene, peak", ((RIGID, 0.08), (ELASTIC, 0.1)),
                          ids=("rigid", "elastic"))
 def test_drop(run, figures, scene, peak):
     case, model = run(scene), bumperModel.drop()
