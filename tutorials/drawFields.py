@@ -42,6 +42,9 @@ class Field:
         return SIGNED if self.signed else POSITIVE
 
     def values(self, body):
+        """Zero in a body that does not have the field, as a rigid one."""
+        if self.name not in body.point_data:
+            return np.zeros(body.n_points)
         values = np.asarray(body[self.name])
         if values.ndim == 1:
             return values
