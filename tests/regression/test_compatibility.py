@@ -90,6 +90,21 @@ def test_wrong_arguments_of_run(arguments, reason):
     assert reason in output
 
 
+# tests/compatibility -root: what it refuses, before it looks for root and tools
+
+@pytest.mark.parametrize("arguments, reason", (
+    ((), "which distribution?"),
+    (("debian:11",), "none of debian:12, debian:13, ubuntu:22.04"),
+    (("debian:12", "debian:13"), "one distribution at a time"),
+    (("-jobs", "0", "debian:13"), "-jobs wants a number"),
+    (("-mirror",), "-mirror wants an address"),
+    (("-fast", "debian:13"), "unknown argument '-fast'")))
+def test_wrong_arguments_of_root(arguments, reason):
+    code, output = compatibility("-root", *arguments)
+    assert code == 2
+    assert reason in output
+
+
 def test_run_without_setup(tmp_path):
     code, output = compatibility("-run", "v2506",
                                  VERTEXCONTACT_CACHE=str(tmp_path))
