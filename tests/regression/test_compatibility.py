@@ -98,6 +98,7 @@ def test_wrong_arguments_of_run(arguments, reason):
     (("debian:12", "debian:13"), "one distribution at a time"),
     (("-jobs", "0", "debian:13"), "-jobs wants a number"),
     (("-mirror",), "-mirror wants an address"),
+    (("-compiler", "icpx", "debian:13"), "-compiler wants a name such as"),
     (("-fast", "debian:13"), "unknown argument '-fast'")))
 def test_wrong_arguments_of_root(arguments, reason):
     code, output = compatibility("-root", *arguments)
