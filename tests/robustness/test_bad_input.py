@@ -63,6 +63,23 @@ def paper(*actions):
     return action
 
 
+def field(name, kind, dimensions, value):
+    """A point field of bar 1 at the start."""
+    return lambda case: (case/f"0/bar1/{name}").write_text(
+        f"FoamFile {{ version 2.0; format ascii; class point{kind}Field; "
+        f"object {name}; }}\ndimensions [{dimensions}];\n"
+        f"internalField uniform {value};\nboundaryField {{ "
+        "\".*\" { type empty; } "
+        "\"(left|right)\" { type calculated; } }\n")
+
+
+def all_of(*actions):
+    def action(case):
+        for act in actions:
+            act(case)
+    return action
+
+
 def plastic(hardening):
     """Bar 1 of a plastic material."""
     return rewrite(material, f"type HenckyVonMises; rho 1; E 1; nu 0; "
@@ -295,8 +312,31 @@ CASES = {
         plastic("hardeningCurve table ((0.1 1) (1 2));"),
         ("mechanicalProperties", "hardeningCurve", "0.1")),
     "keyword of Johnson and Cook": (
+        plastic("JohnsonCook { A 1; B 1; n 1; C 0; k 1; }"),
+        ("mechanicalProperties", "JohnsonCook", "k")),
+    "softening without a melting point": (
         plastic("JohnsonCook { A 1; B 1; n 1; C 0; m 1; }"),
-        ("mechanicalProperties", "JohnsonCook", "m")),
+        ("mechanicalProperties", "JohnsonCook", "Tmelt")),
+    "softening without heat": (
+        plastic("JohnsonCook { A 1; B 1; n 1; C 0; m 1; Tmelt 1300; }"),
+        ("mechanicalProperties", "'m' 1", "adiabaticHeating")),
+    "melting point without softening": (
+        plastic("JohnsonCook { A 1; B 1; n 1; C 0; Tmelt 1300; }"),
+        ("mechanicalProperties", "Tmelt", "'m'")),
+    "heat without a specific heat": (
+        plastic("tauY 1; adiabaticHeating { beta 0.9; }"),
+        ("mechanicalProperties", "adiabaticHeating", "cp")),
+    "more heat than work": (
+        plastic("tauY 1; adiabaticHeating { beta 1.1; cp 400; }"),
+        ("mechanicalProperties", "beta", "1.1", "from 0 to 1")),
+    "below absolute zero": (
+        all_of(plastic("tauY 1; adiabaticHeating { cp 400; }"),
+               field("pointT", "Scalar", "0 0 0 1 0 0 0", -20)),
+        ("pointT", "internalField", "-20", "positive")),
+    "melting point below the room": (
+        plastic("JohnsonCook { A 1; B 1; n 1; C 0; m 1; Tmelt 200; } "
+                "adiabaticHeating { cp 400; }"),
+        ("mechanicalProperties", "Tmelt", "200", "above Troom")),
     "Johnson and Cook without A": (
         plastic("JohnsonCook { B 1; n 1; C 0; }"),
         ("mechanicalProperties", "JohnsonCook", "A")),

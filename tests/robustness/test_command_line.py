@@ -211,6 +211,10 @@ KEYWORDS = {
     "JohnsonCook": ("listMaterials", "constant/left/mechanicalProperties",
                     "JohnsonCook/",
                     {"type": "HenckyVonMises", "JohnsonCook": {"A": 1}}),
+    "adiabaticHeating": ("listMaterials", "constant/left/mechanicalProperties",
+                         "adiabaticHeating/",
+                         {"type": "HenckyVonMises", "tauY": 1,
+                          "adiabaticHeating": {"cp": 1}}),
     "Coulomb": ("listContactLaws", "constant/contactProperties",
                 "interfaces/bars/law/", {"interfaces/bars/law/type":
                                          "Coulomb"}),
@@ -276,8 +280,8 @@ def test_keywords(spoilt, tmp_path, what):
     spoilt.set(file, {**entries, f"{prefix}xyzzy": 1})
     text = listed(option, tmp_path)
     for keyword in valid(spoilt):
-        if what == "JohnsonCook":
-            keyword = f"JohnsonCook/{keyword}"
+        if what in ("JohnsonCook", "adiabaticHeating"):
+            keyword = f"{what}/{keyword}"
         assert re.search(rf"(?m)^    {keyword} .*\S  +\S", text), keyword
 
 

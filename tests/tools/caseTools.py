@@ -249,7 +249,7 @@ class Tutorial:
     path: str
     mesh: str = "I"
     scheme: tuple = ()          # ((keyword, value), ...) of vertexCentred
-    material: tuple = ()        # of mechanicalProperties
+    material: tuple = ()        # of mechanicalProperties, dictionaries alike
     control: tuple = ()         # of controlDict
     options: tuple = ()         # ((variable, value), ...) of its Allrun
     ranks: int = 1
@@ -262,7 +262,8 @@ class Tutorial:
             case.set(f"system/{region}/fvSchemes", {
                 f"vertexCentred/{k}": v for k, v in self.scheme})
             case.set(f"constant/{region}/mechanicalProperties",
-                     dict(self.material))
+                     {k: dict(v) if isinstance(v, tuple) else v
+                      for k, v in self.material})
         case.set("system/controlDict", dict(self.control))
         checked(["./Allrun"], case.path, MESH=self.mesh, PRESET=self.preset,
                 NP=str(self.ranks), PLOT="0", **dict(self.options))

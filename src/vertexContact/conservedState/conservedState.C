@@ -74,6 +74,13 @@ void Foam::conservedState::makePlastic()
 }
 
 
+void Foam::conservedState::makeHeated(const scalar T)
+{
+    temperature.setSize(nNodes);
+    temperature = T;
+}
+
+
 void Foam::conservedState::assignSolved(const conservedState& other)
 {
     lm = other.lm;
@@ -106,7 +113,7 @@ std::size_t Foam::conservedState::bytes() const
        *std::size_t
         (
             lm.size() + disp.size() + F.size() + H.size() + J.size()
-          + Cpi.size() + epsilonPEq.size()
+          + Cpi.size() + epsilonPEq.size() + temperature.size()
         );
 }
 

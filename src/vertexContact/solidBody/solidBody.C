@@ -437,6 +437,8 @@ Foam::solidBody::solidBody
     {
         // The old state of a step needs none: it is committed at the end
         data_.state.makePlastic();
+        const scalar T0 = material_->initialTemperature();
+        if (T0 > 0) data_.state.makeHeated(T0);
     }
     ownedVolume_ = dual_.nodeVolume();
     forAll(ownedVolume_, a)
@@ -977,6 +979,7 @@ void Foam::solidBody::keepPlasticity()
 {
     keptCpi_ = data_.state.Cpi;
     keptStrain_ = data_.state.epsilonPEq;
+    keptTemperature_ = data_.state.temperature;
 }
 
 
@@ -1015,6 +1018,7 @@ void Foam::solidBody::restoreOld()
     {
         data_.state.Cpi = keptCpi_;
         data_.state.epsilonPEq = keptStrain_;
+        data_.state.temperature = keptTemperature_;
     }
 }
 

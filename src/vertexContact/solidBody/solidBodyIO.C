@@ -218,6 +218,22 @@ void Foam::solidBody::readState()
     {
         const auto C = readIfPresent<symmTensor>("CpInv", dimless);
         const auto strain = readIfPresent<scalar>("epsilonPEq", dimless);
+        if (material_->initialTemperature() > 0)
+        {
+            // Also where this processor has no node of the body
+            const auto T = readIfPresent<scalar>("pointT", dimTemperature);
+            for (label a = 0; a < n && T.valid(); ++a)
+            {
+                s.temperature[a] = T().primitiveField()[point[a]];
+                if (!(s.temperature[a] > 0))
+                {
+                    FatalFileErrorInFunction(T().objectPath())
+                        << "Keyword 'internalField': a temperature is "
+                        << s.temperature[a] << " K, it must be positive"
+                        << exit(FatalIOError);
+                }
+            }
+        }
         const label out = d == 2 ? 3 - dir[0] - dir[1] : (dir[0] + 1) % 3;
         for (label a = 0; a < n; ++a)
         {
@@ -464,6 +480,15 @@ void Foam::solidBody::visitFields(const Use& use) const
             "epsilonPEq", dimless,
             [&](const label a) { return s.epsilonPEq[a]; }
         );
+        if (material_->initialTemperature() > 0)
+        {
+            use
+            (
+                scalar(0),
+                "pointT", dimTemperature,
+                [&](const label a) { return s.temperature[a]; }
+            );
+        }
     }
 
     use
@@ -767,6 +792,11 @@ void Foam::solidBody::report(Ostream& os) const
         << ", contact " << onOff(hasContact_)
         << ", plasticity " << onOff(material_->plastic());
     if (damping_.valid()) os << ", damping on";
+    if (material_->plastic())
+    {
+        os  << ", adiabatic heating "
+            << onOff(material_->initialTemperature() > 0);
+    }
     os  << nl
         << "    " << label(allBytes/max(nNodes, label(1)))
         << " bytes per node" << nl;

@@ -41,6 +41,7 @@ struct plasticPoint
         materialPoint<D>(m, set)
     {
         s.makePlastic();
+        if (m.initialTemperature() > 0) s.makeHeated(m.initialTemperature());
     }
 
     //- Deform and end the step; returns the dissipation
@@ -468,6 +469,68 @@ TEST_CASE("hardening curves", "[materials][serial]")
                 0.5*(1 + 0.1*std::log(max(scalar(1), 0.02/dt/2)));
             CHECK(mag(p.q() - Y) <= 1e-9);
         }
+    }
+}
+
+
+TEST_CASE("heat of plastic work", "[materials][serial]")
+{
+    const std::string heat = "adiabaticHeating { beta 0.9; cp 2; T0 300; }";
+    const auto stretch = [](plasticPoint<3>& p, const label n)
+    {
+        for (label k = 1; k <= n; ++k)
+        {
+            const scalar e = 0.2*k/n;
+            p.step(diagonal(std::exp(e), std::exp(-e/2), std::exp(-e/2)));
+        }
+    };
+
+    SECTION("is the work, where the hardening is a straight line")
+    {
+        const auto law(materialFrom(linear + heat));
+        plasticPoint<3> p(*law);
+        stretch(p, 7);
+        const scalar e = p.strain();
+        REQUIRE(e > 0.1);
+        const scalar rise = 0.45*(tauY*e + 0.5*slope*e*e);
+        CHECK(mag(p.s.temperature[0] - 300 - rise) <= 1e-11);
+    }
+
+    SECTION("softens")
+    {
+        // 1 - T* = exp(-k (A e + B e^2/2)) if both exponents are one
+        const auto law(materialFrom
+        (
+            "type HenckyVonMises; rho 1; mu 40; kappa 100;"
+            "JohnsonCook { A 0.5; B 2; n 1; C 0; m 1; Tmelt 300.2; }" + heat
+        ));
+        const auto error = [&](const label n)
+        {
+            plasticPoint<3> p(*law);
+            stretch(p, n);
+            const scalar e = p.strain();
+            const scalar cold =
+                std::exp(-0.45/0.2*(0.5*e + 0.5*2*e*e));
+            CHECK(cold < 0.8);
+            return (300.2 - p.s.temperature[0])/0.2 - cold;
+        };
+        const scalar coarse = error(100), fine = error(200);
+        CHECK(mag(fine) < 2e-3);
+        CHECK(mag(coarse/fine - 2) < 0.1);
+    }
+
+    SECTION("nothing bears a load where it is molten")
+    {
+        const auto law(materialFrom
+        (
+            "type HenckyVonMises; rho 1; mu 40; kappa 100;"
+            "JohnsonCook { A 0.5; B 0; n 1; C 0; m 1; Tmelt 300; Troom 200; }"
+          + heat
+        ));
+        plasticPoint<3> p(*law);
+        stretch(p, 3);
+        CHECK(p.q() <= 1e-12);
+        CHECK(p.s.temperature[0] == 300);
     }
 }
 

@@ -155,6 +155,53 @@ void forTrialStates
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+void Foam::HenckyVonMises::readHeating(const dictionary& dict)
+{
+    using namespace dictionaryCheck;
+
+    const bool softens = curve_ == curve::JohnsonCook && JohnsonCook_.m > 0;
+    if (!dict.found("adiabaticHeating"))
+    {
+        if (softens)
+        {
+            FatalIOErrorInFunction(dict.subDict("JohnsonCook"))
+                << "Keyword 'm' " << JohnsonCook_.m << " is the exponent of a "
+                << "temperature, and there is none." << nl
+                << "Add adiabaticHeating { beta 0.9; cp <specific heat>; "
+                << "T0 293.15; } to the material" << exit(FatalIOError);
+        }
+        return;
+    }
+
+    const dictionary& heating = dict.subDict("adiabaticHeating");
+    onlyKeywords(heating, heatingKeywords());
+    const scalar beta = readNumberOrDefault(heating, "beta", dimless, 0.9);
+    const scalar c =
+        readNumber(heating, "cp", sqr(dimVelocity)/dimTemperature);
+    T0_ = readNumberOrDefault(heating, "T0", dimTemperature, 293.15);
+    require(beta >= 0 && beta <= 1, heating, "beta", beta, "from 0 to 1");
+    require(c > 0, heating, "cp", c, "positive");
+    require(T0_ > 0, heating, "T0", T0_, "positive");
+    heatPerWork_ = beta/(weightRho()*c);
+
+    if (softens)
+    {
+        const dictionary& law = dict.subDict("JohnsonCook");
+        if (!law.found("Troom"))
+        {
+            JohnsonCook_.Troom = T0_;
+            require
+            (
+                JohnsonCook_.Tmelt > T0_, law, "Tmelt", JohnsonCook_.Tmelt,
+                "above Troom, which is T0 unless it is given"
+            );
+        }
+        thermalJohnsonCook_ = hardening::thermalJohnsonCook(JohnsonCook_);
+        curve_ = curve::thermalJohnsonCook;
+    }
+}
+
+
 template<int D, class Hardening>
 void Foam::HenckyVonMises::stressLoop
 (
@@ -177,12 +224,16 @@ void Foam::HenckyVonMises::stressLoop
         const scalar J = s.solvesJ ? s.J[i] : detF;
 
         const scalar strain = s.epsilonPEq[i];
+        const scalar soft = hardening::softening(yield, s.temperature, i);
         scalar shrink = 1;
-        if (trial.q > yield.yield(strain))
+        if (trial.q > soft*yield.yield(strain))
         {
             shrink -=
                 threeMu/trial.q
-               *yield.increment(trial.q, strain, threeMu, s.sinceCommit);
+               *hardening::softenedIncrement
+                (
+                    yield, soft, trial.q, strain, threeMu, s.sinceCommit
+                );
         }
 
         // Kirchhoff stress, and P = tau F^-T + SigmaJ H
@@ -224,20 +275,24 @@ Foam::scalar Foam::HenckyVonMises::commitLoop
 ) const
 {
     const scalar threeMu = 3*mu();
+    const bool heated = s.temperature.size();
     scalar dissipated = 0;
 
     forTrialStates<D>(s, mu(), [&](const label i, const trialState<D>& trial)
     {
         const scalar strain = s.epsilonPEq[i];
-        const scalar before = yield.yield(strain);
+        const scalar soft = hardening::softening(yield, s.temperature, i);
+        const scalar before = soft*yield.yield(strain);
         if (!(trial.q > before))
         {
             return;
         }
         const SolidTensor<D> F = loadF<D>(s.F.cdata(), i);
 
-        const scalar d =
-            yield.increment(trial.q, strain, threeMu, s.sinceCommit);
+        const scalar d = hardening::softenedIncrement
+        (
+            yield, soft, trial.q, strain, threeMu, s.sinceCommit
+        );
         const scalar shrink = 1 - threeMu*d/trial.q;
 
         // b_e, and Cp^-1 = F^-1 b_e F^-T
@@ -271,7 +326,9 @@ Foam::scalar Foam::HenckyVonMises::commitLoop
 
         // Work of the flow: the mean stress of the increment, also where it
         // is above the yield stress at rest
-        dissipated += weight[i]*d*0.5*(before + shrink*trial.q);
+        const scalar work = d*0.5*(before + shrink*trial.q);
+        dissipated += weight[i]*work;
+        if (heated) s.temperature[i] += heatPerWork_*work;
     });
 
     s.sinceCommit = 0;
@@ -368,6 +425,7 @@ Foam::HenckyVonMises::HenckyVonMises
             << "Keyword 'Hardening' belongs to 'tauY', which is not given"
             << exit(FatalIOError);
     }
+    readHeating(dict);
 }
 
 
@@ -388,9 +446,26 @@ Foam::keywordList Foam::HenckyVonMises::keywords()
         {
             "JohnsonCook", "", "one of three",
             "dictionary: (A + B strain^n)(1 + C ln(rate/referenceRate))"
+        },
+        {
+            "adiabaticHeating", "", "none",
+            "dictionary: plastic work heats each node, field pointT"
         }
     });
-    return own + hardening::JohnsonCook::keywords().within("JohnsonCook");
+    return
+        own + hardening::JohnsonCook::keywords().within("JohnsonCook")
+      + heatingKeywords().within("adiabaticHeating");
+}
+
+
+Foam::keywordList Foam::HenckyVonMises::heatingKeywords()
+{
+    return
+    {
+        {"beta", "-", "0.9", "share of the plastic work that becomes heat"},
+        {"cp", "J/kg/K", "required", "specific heat, above 0"},
+        {"T0", "K", "293.15", "temperature at first, unless pointT is there"}
+    };
 }
 
 

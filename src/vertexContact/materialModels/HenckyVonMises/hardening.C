@@ -91,6 +91,27 @@ Foam::hardening::JohnsonCook::JohnsonCook(const dictionary& dict)
     require(n > 0, dict, "n", n, "positive");
     require(C >= 0, dict, "C", C, "at least 0");
     require(rate0 > 0, dict, "referenceRate", rate0, "positive");
+
+    if (!dict.found("m"))
+    {
+        for (const word w : {"Tmelt", "Troom"})
+        {
+            if (dict.found(w))
+            {
+                FatalIOErrorInFunction(dict)
+                    << "Keyword '" << w.c_str() << "' belongs to 'm', the "
+                    << "exponent of the temperature, which is not given"
+                    << exit(FatalIOError);
+            }
+        }
+        return;
+    }
+    m = readNumber(dict, "m", dimless);
+    Tmelt = readNumber(dict, "Tmelt", dimTemperature);
+    Troom = readNumberOrDefault(dict, "Troom", dimTemperature, 0);
+    require(m > 0, dict, "m", m, "positive");
+    require(Troom >= 0, dict, "Troom", Troom, "at least 0");
+    require(Tmelt > Troom, dict, "Tmelt", Tmelt, "above Troom");
 }
 
 
@@ -104,7 +125,10 @@ Foam::keywordList Foam::hardening::JohnsonCook::keywords()
         {"B", "Pa", "required", "factor of strain^n, at least 0"},
         {"n", "-", "required", "exponent of the plastic strain, above 0"},
         {"C", "-", "required", "factor of the rate, at least 0"},
-        {"referenceRate", "1/s", "1", "strain rate without effect"}
+        {"referenceRate", "1/s", "1", "strain rate without effect"},
+        {"m", "-", "none", "times 1 - ((T - Troom)/(Tmelt - Troom))^m"},
+        {"Tmelt", "K", "with m", "melting point, without a yield stress"},
+        {"Troom", "K", "T0", "temperature without effect, with m"}
     };
 }
 
