@@ -281,7 +281,7 @@ class SmallCase(Case):
                 patch = condition("calculated")
             patches[side] = patch
         self.write(
-            f"0/{body.name}/{name}", f"point{kind.capitalize()}Field",
+            f"0/{body.name}/{name}", f"point{kind[0].upper()}{kind[1:]}Field",
             f"dimensions {dimensions};\ninternalField nonuniform "
             f"List<{kind}>\n{listed(U)};\nboundaryField{text(patches)}")
 

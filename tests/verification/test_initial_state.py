@@ -1,0 +1,170 @@
+"""Runs that do not begin at rest and without stress: stress by the field CpInv
+of the start time, contact that is pressed by it, and the last time of another
+run."""
+
+import shutil
+
+import numpy as np
+import pytest
+
+from caseTools import DEFAULT, checked, contents, differingFiles
+from smallCases import Body, SmallCase, condition, interface, largest
+
+E, NU, RHO = 1.0, 0.3, 1.0
+MU = E/(2*(1 + NU))
+SPEED = np.sqrt(E*(1 - NU)/((1 + NU)*(1 - 2*NU))/RHO)
+ELASTIC = {"type": "HenckyVonMises", "rho": RHO, "E": E, "nu": NU,
+           "tauY": 100.0}
+LENGTH, HEIGHT = 1.0, 0.25
+HELD = condition("fixedVelocity", velocity=(0, 0, 0))
+MIRRORS = {"bottom": "symmetryPlane", "top": "symmetryPlane"}
+
+
+def stress(stretch):
+    """Along a bar that was stretched so much, at constant volume."""
+    return 2*MU*np.log(stretch)
+
+
+def block(name="body", start=0.0, cells=16, material=ELASTIC, **sides):
+    return Body(cells=(cells, 4), name=name, start=(start, 0, 0),
+                size=(LENGTH, HEIGHT, 1), material=material,
+                sides={**MIRRORS, "left": HELD, **sides})
+
+
+def stretched(case, body, stretch):
+    """Give a body the initial stretch by CpInv, F0 F0^T: as if it had been
+    longer by it before it was meshed as it is."""
+    F0 = (stretch**2, 0, 0, stretch**-2, 0, 1)      # xx xy xz yy yz zz
+    X = case.points(body.name)
+    case.writePointField(body, "CpInv", "[0 0 0 0 0 0 0]",
+                         np.tile(F0, (len(X), 1)), "symmTensor")
+
+
+def bar(folder, stretch, right, endTime, **control):
+    body = block(right=right)
+    case = SmallCase(folder, body, endTime, preset=DEFAULT, control=control)
+    stretched(case, body, stretch)
+    return case
+
+
+@pytest.mark.parametrize("stretch", (1.3, 0.8))
+def test_held_bar_is_at_rest(tmp_path, figures, stretch):
+    """A bar under stress, in tension or in compression, held at both ends."""
+    case = bar(tmp_path, stretch, HELD, 5.0).run()
+    sigma = case.at("sigma")
+    energies = case.energies
+    strain = 2*MU*np.log(stretch)**2*LENGTH*HEIGHT
+    with figures(f"held bar, stretch {stretch}") as f:
+        f.atMost("velocity / speed of waves", largest(case.at("pointU"))/SPEED,
+                 1e-14)
+        f.atMost("stress along it less the closed form / that",
+                 largest(sigma[:, 0] - stress(stretch))/abs(stress(stretch)),
+                 1e-14)
+        f.atMost("strain energy less the closed form / that",
+                 largest(energies["total:strain"] - strain)/strain, 1e-13)
+        f.atMost("balance / strain energy",
+                 largest(energies["total:balance"])/strain, 1e-13)
+
+
+def test_released_bar(tmp_path, figures):
+    """One end is free: it springs back with the wave of the closed form, which
+    is on its way through half of the bar here."""
+    stretch = 1 + 1e-5
+    time = 0.5*LENGTH/SPEED
+    case = bar(tmp_path, stretch, "tractionFree", time).run()
+    U = case.at("pointU")[:, 0]
+    X = case.X()[:, 0]
+    v = stress(stretch)/(RHO*SPEED)
+    energies = case.energies
+    strain = energies["total:strain"][0]
+    with figures("released bar, 16 cells") as f:
+        f.within("velocity of its free end / closed form",
+                 U[X > LENGTH*(1 - 1e-6)].mean()/-v, 1, 0.02)
+        f.atMost("velocity at its held end / closed form of the free one",
+                 largest(U[X < 0.1*LENGTH])/v, 0.01)
+        # rho v^2/2 where the wave has been
+        f.within("kinetic energy / closed form", energies["total:kinetic"][-1]
+                 / (0.5*RHO*v**2*SPEED*time*HEIGHT), 1, 0.05)
+        f.atMost("balance / strain energy at first",
+                 largest(energies["total:balance"])/strain, 5e-4)
+
+
+def test_ranks_and_restart(tmp_path, figures):
+    """Two ranks differ by round-off; a run that was stopped goes on to the last
+    bit."""
+    release = (1.2, "tractionFree", 2.0)
+    one = bar(tmp_path/"one", *release, writeInterval=1.0).run()
+    two = bar(tmp_path/"two", *release, writeInterval=1.0).runParallel(2)
+    expected = [contents(one/"2")]
+    shutil.copytree(one.path, tmp_path/"again")
+    shutil.rmtree(tmp_path/"again"/"2")
+    checked(["vertexContactFoam"], tmp_path/"again")
+    a, b = (c.energies["total:kinetic"][-1] for c in (one, two))
+    with figures("released bar, ranks and restart") as f:
+        f.atMost("kinetic energy, two ranks / one", abs(b/a - 1), 1e-10)
+        f.equal("files that differ after a restart", differingFiles(
+            expected, [contents(tmp_path/"again"/"2")]), [])
+
+
+def test_pressed_blocks_are_at_rest(tmp_path, figures):
+    """Two blocks whose surfaces coincide, and which press each other."""
+    stretch = 0.9
+    bodies = (block("left", right="contact"),
+              block("right", LENGTH, left="contact", right=HELD))
+    case = SmallCase(
+        tmp_path, bodies, 5.0, preset=DEFAULT, functions=("contactForces",),
+        interfaces={"between": interface(("left", "right"), ("right", "left"))})
+    for body in bodies:
+        stretched(case, body, stretch)
+    case.run()
+    U = [largest(case.at("pointU", region=b.name)) for b in bodies]
+    sigma = np.concatenate([case.at("sigma", region=b.name)[:, 0]
+                            for b in bodies])
+    area = case.contact("between")["area"]
+    with figures("blocks that press each other from the start") as f:
+        f.atMost("velocity / speed of waves", max(U)/SPEED, 1e-13)
+        f.atMost("stress less the closed form / that",
+                 largest(sigma/stress(stretch) - 1), 1e-12)
+        f.within("least area of contact / all", area.min()/HEIGHT, 1, 1e-12)
+
+
+METAL = {"type": "HenckyVonMises", "rho": RHO, "E": E, "nu": NU,
+         "tauY": 0.02, "Hardening": 0.1}
+PULLED = condition("fixedVelocity", velocity=(0.05, 0, 0), components=("x",))
+
+
+def pulled(folder, endTime, right=PULLED, **control):
+    return SmallCase(folder, block(right=right, material=METAL), endTime,
+                     preset=DEFAULT, control=control)
+
+
+def takeOver(case, first, time):
+    """Begin a case with a time of another run on the same mesh: its folder, but
+    with the boundary conditions, which pointU has, of the case."""
+    shutil.copytree(first/time, case/time)
+    shutil.copy(case/"0"/"body"/"pointU", case/time/"body")
+
+
+def test_last_time_of_another_run(tmp_path, figures):
+    """A bar is pulled until it yields. The run that takes over from its middle
+    is the rest of it to the last bit, and one that lets go begins with the same
+    state."""
+    whole = pulled(tmp_path/"whole", 2.0, writeInterval=1.0).run()
+    rest = pulled(tmp_path/"rest", 2.0, writeInterval=1.0)
+    let = pulled(tmp_path/"let", 2.0, right="tractionFree", writeInterval=1.0)
+    for case in rest, let:
+        takeOver(case, whole, "1")
+        case.run()
+    energies = let.energies
+    middle = np.abs(whole.energies["Time"] - 1).argmin()
+    first = whole.energies["total:strain"][middle]
+    with figures("from the last time of another run") as f:
+        f.atLeast("plastic strain", whole.at("epsilonPEq").min(), 1e-3)
+        f.equal("files that differ from those of the whole run", differingFiles(
+            [contents(whole/"2")], [contents(rest/"2")]), [])
+        f.within("strain energy at the start / of the other run",
+                 energies["total:strain"][0]/first, 1, 1e-12)
+        f.atMost("balance after letting go / strain energy",
+                 largest(energies["total:balance"])/first, 2e-3)
+        f.atMost("strain energy after letting go / before",
+                 energies["total:strain"].min()/first, 0.95)
