@@ -354,7 +354,7 @@ scalar vertexKernelTemplate<D, nSJ, R, finite>::boundaryFluxLoop
 
             SolidVector<D> force, vP;
             scalar L[nP];
-            for (int i = 0; i < D; ++i) force[i] = 0;
+            for (int i = 0; i < D; ++i) force[i] = vP[i] = 0;
             for (int k = 0; k < nP; ++k) L[k] = 0;
 
             for (label j = 0; j < nf; ++j)
