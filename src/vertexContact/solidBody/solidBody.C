@@ -17,7 +17,7 @@
 #include "dictionaryCheck.H"
 #include "patchRim.H"
 #include "pointPatchFields.H"
-#include "IOdictionary.H"
+#include "regionFiles.H"
 #include "rigidMaterial.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -27,52 +27,13 @@ namespace
 
 using namespace Foam;
 
-IOobject solidIO
-(
-    const char* name,
-    const fileName& instance,
-    const objectRegistry& db,
-    const IOobject::readOption r
-)
-{
-    return IOobject(name, instance, db, r, IOobject::NO_WRITE, false);
-}
-
-schemeOptions readOptions
-(
-    const polyMesh& mesh,
-    const schemeOptions& defaults
-)
-{
-    return schemeOptions
-    (
-        IOdictionary
-        (
-            solidIO
-            (
-                "fvSchemes", mesh.time().system(), mesh,
-                IOobject::READ_IF_PRESENT
-            )
-        ),
-        defaults
-    );
-}
-
 autoPtr<materialModel> readMaterial
 (
     const medianDual& dual,
     const schemeOptions& options
 )
 {
-    const polyMesh& mesh = dual.mesh();
-    const IOdictionary dict
-    (
-        solidIO
-        (
-            "mechanicalProperties", mesh.time().constant(), mesh,
-            IOobject::MUST_READ
-        )
-    );
+    const dictionary dict(regionFiles::material(dual.mesh()));
     if (rigidMaterial::describedBy(dict))
     {
         return autoPtr<materialModel>
@@ -81,27 +42,6 @@ autoPtr<materialModel> readMaterial
         );
     }
     return materialModel::New(dict, options.jacobian);
-}
-
-PtrList<bodyForce> readBodyForces
-(
-    const medianDual& dual,
-    const materialModel& material
-)
-{
-    const polyMesh& mesh = dual.mesh();
-    return bodyForce::readAll
-    (
-        IOdictionary
-        (
-            solidIO
-            (
-                "bodyForces", mesh.time().constant(), mesh,
-                IOobject::READ_IF_PRESENT
-            )
-        ),
-        dual, material
-    );
 }
 
 bool isVariational(const schemeOptions& options)
@@ -374,7 +314,7 @@ Foam::solidBody::solidBody
     (
         IOobject(region, runTime.timeName(), runTime, IOobject::MUST_READ)
     ),
-    options_(readOptions(mesh_, defaults)),
+    options_(regionFiles::schemes(mesh_), defaults),
     dual_(mesh_, options_.cells),
     material_(readMaterial(dual_, options_)),
     pointU_
@@ -382,9 +322,10 @@ Foam::solidBody::solidBody
         IOobject
         (
             "pointU", runTime.timeName(), mesh_,
-            IOobject::MUST_READ, IOobject::NO_WRITE
+            IOobject::NO_READ, IOobject::NO_WRITE
         ),
-        pointMesh::New(mesh_)
+        pointMesh::New(mesh_),
+        regionFiles::velocity(mesh_)
     ),
     data_
     (
@@ -407,7 +348,13 @@ Foam::solidBody::solidBody
     rim_(mesh_.boundaryMesh().size()),
     boundaryArea_(dual_.nNodes(), Zero),
     gravity_(dual_.nDim(), Zero),
-    bodyForces_(readBodyForces(dual_, *material_)),
+    bodyForces_
+    (
+        bodyForce::readAll
+        (
+            regionFiles::bodyForces(mesh_), dual_, *material_
+        )
+    ),
     acceleration_
     (
         bodyForces_.size() ? dual_.nNodes()*dual_.nDim() : label(0), Zero

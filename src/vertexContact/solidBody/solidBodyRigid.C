@@ -14,21 +14,14 @@ Description
 #include "solidBoundaryCondition.H"
 #include "dictionaryCheck.H"
 #include "fileError.H"
-#include "IOdictionary.H"
+#include "regionFiles.H"
 #include "Time.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::solidBody::makeRigid()
 {
-    const IOdictionary dict
-    (
-        IOobject
-        (
-            "mechanicalProperties", time_.constant(), mesh_,
-            IOobject::MUST_READ, IOobject::NO_WRITE, false
-        )
-    );
+    const dictionary dict(regionFiles::material(mesh_));
     if (!data_.variational)
     {
         FatalIOErrorInFunction(dict)

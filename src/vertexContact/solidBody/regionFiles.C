@@ -1,0 +1,196 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "regionFiles.H"
+#include "dictionaryCheck.H"
+#include "IOdictionary.H"
+#include "localIOdictionary.H"
+#include "pointFields.H"
+#include "polyMesh.H"
+#include "processorPolyPatch.H"
+#include "fileOperation.H"
+#include "Time.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+IOobject input
+(
+    const word& name,
+    const fileName& instance,
+    const objectRegistry& db
+)
+{
+    return IOobject
+    (
+        name, instance, db, IOobject::MUST_READ, IOobject::NO_WRITE, false
+    );
+}
+
+
+//- A dictionary of the region or of the case, empty if the file is not there
+dictionary readIfThere
+(
+    const word& name,
+    const fileName& instance,
+    const objectRegistry& db
+)
+{
+    IOobject io(input(name, instance, db));
+    if (dictionaryCheck::isThere<IOdictionary>(io))
+    {
+        dictionary dict = IOdictionary(io);
+        dict.remove("FoamFile");
+        return dict;
+    }
+    return dictionary(io.objectPath());
+}
+
+
+//- The one default region, whose files are those of the case
+bool isCase(const polyMesh& mesh)
+{
+    return mesh.name() == polyMesh::defaultRegion;
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+Foam::dictionary Foam::regionFiles::material(const polyMesh& mesh)
+{
+    const Time& runTime = mesh.time();
+    const IOobject own
+    (
+        input("mechanicalProperties", runTime.constant(), mesh)
+    );
+    IOobject io(own);
+    if (!dictionaryCheck::isThere<IOdictionary>(io))
+    {
+        const dictionary shared
+        (
+            readIfThere("solidProperties", runTime.constant(), runTime)
+        );
+        if (shared.isDict(mesh.name()))
+        {
+            return shared.subDict(mesh.name());
+        }
+        if (shared.size())
+        {
+            FatalIOErrorInFunction(shared)
+                << "No entry fits region '" << mesh.name()
+                << "', which has no file " << own.objectPath()
+                << " either." << nl << "Valid entries: "
+                << dictionaryCheck::listed(shared.toc()).c_str()
+                << exit(FatalIOError);
+        }
+    }
+
+    // OpenFOAM's own message if it is not there
+    return IOdictionary(own);
+}
+
+
+Foam::dictionary Foam::regionFiles::bodyForces(const polyMesh& mesh)
+{
+    const Time& runTime = mesh.time();
+    IOobject own(input("bodyForces", runTime.constant(), mesh));
+    if (dictionaryCheck::isThere<IOdictionary>(own) || isCase(mesh))
+    {
+        return readIfThere("bodyForces", runTime.constant(), mesh);
+    }
+    return readIfThere("bodyForces", runTime.constant(), runTime);
+}
+
+
+Foam::dictionary Foam::regionFiles::schemes(const polyMesh& mesh)
+{
+    // OpenFOAM's tools want a file for each region, mostly one without our
+    // dictionary
+    const Time& runTime = mesh.time();
+    dictionary own(readIfThere("fvSchemes", runTime.system(), mesh));
+    if (own.found("vertexCentred") || isCase(mesh)) return own;
+    return readIfThere("fvSchemes", runTime.system(), runTime);
+}
+
+
+Foam::dictionary Foam::regionFiles::velocity(const polyMesh& mesh)
+{
+    const Time& runTime = mesh.time();
+    const IOobject own(input("pointU", runTime.timeName(), mesh));
+    IOobject io(own);
+    const fileName shared
+    (
+        runTime.globalPath()/runTime.timeName()/own.name()
+    );
+    if
+    (
+        dictionaryCheck::isThere<pointVectorField>(io)
+     || isCase(mesh) || !fileHandler().isFile(shared)
+    )
+    {
+        // OpenFOAM's own message if it is not there
+        return localIOdictionary(own, pointVectorField::typeName);
+    }
+
+    autoPtr<ISstream> is(fileHandler().NewIFstream(shared));
+    dictionary field(is());
+    field.name() = shared;
+    field.remove("FoamFile");
+
+    // It knows nothing of the boundaries between processors
+    dictionary& patches = field.subDict("boundaryField");
+    for (const polyPatch& pp : mesh.boundaryMesh())
+    {
+        if (isA<processorPolyPatch>(pp))
+        {
+            dictionary type;
+            type.add("type", pp.type());
+            patches.set(pp.name(), type);
+        }
+    }
+    return field;
+}
+
+
+void Foam::regionFiles::check(const Time& runTime, const wordList& regions)
+{
+    const dictionary shared
+    (
+        readIfThere("solidProperties", runTime.constant(), runTime)
+    );
+    for (const entry& e : shared)
+    {
+        if (!e.isDict())
+        {
+            FatalIOErrorInFunction(shared)
+                << "Keyword '" << e.keyword()
+                << "' is not a dictionary: the material of regions is"
+                << exit(FatalIOError);
+        }
+        bool fits = false;
+        for (const word& region : regions)
+        {
+            fits = fits || e.keyword().match(region);
+        }
+        if (!fits)
+        {
+            FatalIOErrorInFunction(shared)
+                << "Keyword '" << e.keyword() << "' fits no region." << nl
+                << "Valid regions: "
+                << dictionaryCheck::listed(regions).c_str()
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
+// ************************************************************************* //
