@@ -47,6 +47,7 @@ Usage
 
 #include "argList.H"
 #include "Time.H"
+#include "dryRun.H"
 #include "solidSystem.H"
 #include "writtenTimes.H"
 #include "modelLists.H"
@@ -116,7 +117,7 @@ int main(int argc, char *argv[])
 
     if (dry)
     {
-        solids.dryRun(Info);
+        dryRun(solids, runTime, Info);
         Info<< "End" << nl << endl;
         return 0;
     }

@@ -75,16 +75,7 @@ void Foam::solidSystem::relax(const scalar time)
     // step later (bodyEnergies): these balance before and after
     const auto book = [&](const scalar sign)
     {
-        for (label i = 0; energiesOn_ && i < bodies_.size(); ++i)
-        {
-            const solidBody::powers p(bodies_[i].presentPowers());
-            const scalar half = sign*0.5*bodies_[i].lastStep();
-            accounts_[i].numericalDissipation += half*p.numericalDissipation;
-            accounts_[i].external += half*p.external;
-            accounts_[i].contact += half*p.contact;
-            accounts_[i].damping += half*p.damping;
-            accounts_[i].relaxation += sign*bodies_[i].kineticEnergy();
-        }
+        if (accounts_.on()) accounts_.addStop(sign);
     };
     book(1);
     for (solidBody& body : bodies_) body.stop();

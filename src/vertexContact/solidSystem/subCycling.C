@@ -53,18 +53,18 @@ Foam::scalar Foam::solidSystem::stableCommonStep()
 
     stable_.setSize(n);
     longest_ = least[2*n];
-    fastest_ = 0;
+    scalar fastestOfAll = 0;
     for (label i = 0; i < n; ++i)
     {
         stable_[i] = least[i];
         const scalar fastest = -least[n + i];
-        fastest_ = max(fastest_, fastest);
+        fastestOfAll = max(fastestOfAll, fastest);
         longest_ = min
         (
             longest_, max(stable_[i], stepRatios::strain/(fastest + VSMALL))
         );
     }
-    boundsAnew_ = false;
+    bound_.seen(fastestOfAll);
     return ratios_->commonStep(stable_, longest_);
 }
 
@@ -77,9 +77,9 @@ void Foam::solidSystem::chooseSteps(const bool adjusts)
     {
         runTime_.setDeltaT
         (
-            fitToWriteTimes
+            control_.fitted
             (
-                maxCo()*ratios_->commonStep(recentStable_, longest)
+                control_.maxCo()*ratios_->commonStep(recentStable_, longest)
             ),
             false
         );
@@ -89,7 +89,7 @@ void Foam::solidSystem::chooseSteps(const bool adjusts)
     const scalar deltaT = runTime_.deltaTValue();
     ownSteps_ = ratios_->of
     (
-        max(deltaT, 0.5*(commonStep_ + deltaT)), maxCo()*recentStable_
+        max(deltaT, 0.5*(commonStep_ + deltaT)), control_.maxCo()*recentStable_
     );
 }
 
@@ -103,8 +103,8 @@ void Foam::solidSystem::evaluateBody
 {
     solidBody& body = bodies_[bodyi];
     body.prepare(time, true, wavesAnew);
-    body.computeFluxes(energiesOn_);
-    body.finishRates(time, energiesOn_);
+    body.computeFluxes(accounts_.on());
+    body.finishRates(time, accounts_.on());
 }
 
 
@@ -144,7 +144,7 @@ void Foam::solidSystem::evaluateInBlocks(const scalar time, const bool moved)
     forAll(bodies_, i)
     {
         blocks[i] = bodies_[i].lastStep();
-        evaluateBody(i, time - 0.5*(commonStep_ - blocks[i]), boundsAnew_);
+        evaluateBody(i, time - 0.5*(commonStep_ - blocks[i]), bound_.due());
     }
     if (moved) pairMoved(time);
     for (solidBody& body : bodies_)
@@ -172,14 +172,13 @@ void Foam::solidSystem::evaluateInBlocks(const scalar time, const bool moved)
     solve(shortStep_);
     if (commonStep_ == 0 && interfaces_.size())
     {
-        const bool adjusts =
-            runTime_.controlDict().getOrDefault("adjustTimeStep", true);
+        const bool adjusts = control_.adjusts();
         for (label i = 0; i < 2; ++i)
         {
             const scalar stable = stableStep();
             const scalar step =
-                adjusts ? maxCo()*stable : runTime_.deltaTValue();
-            const stepRatios::ratios r(ratios_->of(step, maxCo()*stable_));
+                adjusts ? control_.maxCo()*stable : runTime_.deltaTValue();
+            const stepRatios::ratios r(ratios_->of(step, control_.maxCo()*stable_));
             forAll(blocks, k) blocks[k] = 0.5*step/r.steps[k];
             solve(0.5*step/r.most);
         }
@@ -230,7 +229,7 @@ void Foam::solidSystem::leapInBlocks(const scalar time)
             (
                 timeOf(i, j),
                 blocks[i] + 0.5*(step[i] - bodies_[i].lastStep()),
-                blocks[i], step[i], energiesOn_, accounts_[i]
+                blocks[i], step[i], accounts_.on(), accounts_[i]
             );
         });
     };
@@ -316,16 +315,11 @@ void Foam::solidSystem::leapInBlocks(const scalar time)
     shortStep_ = most == 1 ? deltaT : kick;
     evaluations_ += ownSteps_.evaluations;
     oneStepEvaluations_ +=
-        ratios_->nodes()*deltaT/(maxCo()*min(recentStable_));
+        ratios_->nodes()*deltaT/(control_.maxCo()*min(recentStable_));
 
     if (!nBad)
     {
-        sinceBound_ += deltaT*fastest_;
-        if (sinceBound_ >= boundStrain)
-        {
-            sinceBound_ = 0;
-            boundsAnew_ = true;
-        }
+        bound_.pass(deltaT);
         evaluateForces(time, true);
         for (const solidBody& body : bodies_)
         {
@@ -336,11 +330,18 @@ void Foam::solidSystem::leapInBlocks(const scalar time)
 }
 
 
-void Foam::solidSystem::reportSteps
-(
-    Ostream& os,
-    const scalarField& stable
-) const
+Foam::scalarField Foam::solidSystem::stableSteps() const
+{
+    scalarField steps(bodyStep_);
+    Pstream::listCombineGather(steps, minEqOp<scalar>());
+    Pstream::listCombineScatter(steps);
+    return steps;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::solidSystem::reportSteps(Ostream& os) const
 {
     if (ratios_->active() && ownSteps_.steps.size())
     {
@@ -355,6 +356,7 @@ void Foam::solidSystem::reportSteps
             << nl;
         return;
     }
+    const scalarField stable(stableSteps());
     const scalar common = ratios_->commonStep(stable, longest_);
     const stepRatios::ratios r(ratios_->of(common, stable));
     os  << "With steps of their own (subCycling yes), ";

@@ -84,7 +84,7 @@ Foam::functionObjects::solidEnergies::solidEnergies
 
 bool Foam::functionObjects::solidEnergies::writeRow()
 {
-    const List<solidSystem::energies> all(solids_.computeEnergies());
+    const List<bodyEnergies> all(solids_.computeEnergies());
 
     vector totalP(Zero), totalL(Zero);
     List<vector> p(solids_.bodies().size()), L(p);

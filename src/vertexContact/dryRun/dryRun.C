@@ -4,6 +4,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
+#include "dryRun.H"
 #include "solidSystem.H"
 #include "solidFunctionObject.H"
 #include "dictionaryCheck.H"
@@ -78,57 +79,29 @@ PtrList<functionObject> ownFunctionObjects
 } // End anonymous namespace
 
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
-Foam::scalar Foam::solidSystem::stepsToEnd(const scalar deltaT) const
+void Foam::dryRun(solidSystem& solids, Time& runTime, OSstream& os)
 {
-    const scalar now = runTime_.value();
-    const scalar end = runTime_.endTime().value();
-    if (!runTime_.controlDict().getOrDefault("adjustTimeStep", true))
-    {
-        // As Time::run() ends
-        return max(scalar(0), std::ceil((end - now)/deltaT - 0.5));
-    }
-
-    // Each interval between write times has steps of its own
-    const auto steps = [=](const scalar interval)
-    {
-        return
-            interval > 0
-          ? max(scalar(0), std::ceil(interval/deltaT - 1e-6))
-          : scalar(0);
-    };
-    const scalar next = nextFitted(now, deltaT);
-    const scalar interval = fittedInterval();
-    const scalar whole = std::floor((end - next)/interval + 1e-6);
-    return
-        steps(next - now) + whole*steps(interval)
-      + steps(end - next - whole*interval);
-}
-
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::solidSystem::dryRun(OSstream& os)
-{
-    dry_ = true;
-    const scalar readingSeconds = clock_.elapsedTime();
+    solids.setDry();
+    const scalar readingSeconds = solids.secondsSinceStart();
+    const scalar startOfRun = runTime.value();
 
     // The file's precision would make figures unreadable
     const int precision = os.precision(4);
 
     wordList others;
-    PtrList<functionObject> functions(ownFunctionObjects(runTime_, others));
+    PtrList<functionObject> functions(ownFunctionObjects(runTime, others));
 
-    const scalar end = runTime_.endTime().value();
+    const scalar end = runTime.endTime().value();
     const auto goesOn = [&]()
     {
-        return runTime_.value() < end - 0.5*runTime_.deltaTValue();
+        return runTime.value() < end - 0.5*runTime.deltaTValue();
     };
     const auto endStep = [&]()
     {
-        ++runTime_;
-        finishStep();
+        ++runTime;
+        solids.finishStep();
         for (functionObject& f : functions)
         {
             f.execute();
@@ -139,7 +112,7 @@ void Foam::solidSystem::dryRun(OSstream& os)
     os  << "Dry run: nothing is written" << nl << nl;
     if (!goesOn())
     {
-        os  << "Steps: none, time is " << runTime_.value()
+        os  << "Steps: none, time is " << runTime.value()
             << " s and endTime " << end << " s" << nl << endl;
         os.precision(precision);
         return;
@@ -147,12 +120,11 @@ void Foam::solidSystem::dryRun(OSstream& os)
 
     // The first step: not among those that are timed, since it is the first
     // to touch much of the memory
-    startStep();
-    const scalar deltaT = runTime_.deltaTValue();
-    const scalar stable = timeStepLimit_;
-    const scalar steps = stepsToEnd(deltaT);
-    const bool adjusts =
-        runTime_.controlDict().getOrDefault("adjustTimeStep", true);
+    solids.startStep();
+    const scalar deltaT = runTime.deltaTValue();
+    const scalar stable = solids.timeStepLimit();
+    const scalar steps = solids.control().stepsToEnd(deltaT);
+    const bool adjusts = solids.control().adjusts();
     endStep();
 
     // At most as many steps for each look at the clock as there were before:
@@ -167,14 +139,14 @@ void Foam::solidSystem::dryRun(OSstream& os)
           : label(1);
         for (label i = 0; i < several && goesOn(); ++i, ++tried)
         {
-            startStep();
+            solids.startStep();
             endStep();
         }
         seconds = returnReduce(trial.elapsedTime(), maxOp<double>());
     }
 
     scalar nodes = 0, bytes = 0;
-    for (const solidBody& body : bodies_)
+    for (const solidBody& body : solids.bodies())
     {
         nodes += body.dual().nNodes();
         bytes += body.bytes();
@@ -193,17 +165,12 @@ void Foam::solidSystem::dryRun(OSstream& os)
         << "Steps: " << std::int64_t(steps) << " to time " << end
         << " s with that step" << nl;
 
-    if (bodies_.size() > 1)
-    {
-        scalarField steps(bodyStep_);
-        for (scalar& step : steps) reduce(step, minOp<scalar>());
-        reportSteps(os, steps);
-    }
+    if (solids.bodies().size() > 1) solids.reportSteps(os);
 
     if (tried)
     {
         const scalar perStep = seconds/tried;
-        os  << "Trial: " << tried << " steps to time " << runTime_.value()
+        os  << "Trial: " << tried << " steps to time " << runTime.value()
             << " s in " << seconds << " s, " << 1e6*perStep << " us a step"
             << nl
             << "Run time: about " << readingSeconds + steps*perStep
@@ -211,23 +178,23 @@ void Foam::solidSystem::dryRun(OSstream& os)
 
         // Steps per time that grow evenly, as in the trial
         const scalar more =
-            0.5*(stable/timeStepLimit_ - 1)*(end - startOfRun_)
-           /(runTime_.value() - startOfRun_);
+            0.5*(stable/solids.timeStepLimit() - 1)*(end - startOfRun)
+           /(runTime.value() - startOfRun);
         if (adjusts && more > 0.02)
         {
             os  << "    " << readingSeconds + steps*(1 + more)*perStep
                 << " s if the stable step goes on falling: by "
-                << 100*(1 - timeStepLimit_/stable) << " % in the trial" << nl;
+                << 100*(1 - solids.timeStepLimit()/stable) << " % in the trial" << nl;
         }
         os  << "    without the time to write";
-        if (fittedInterval() < GREAT)
+        if (solids.control().fittedInterval() < GREAT)
         {
             os  << ' '
                 << std::int64_t
                    (
                        std::floor
                        (
-                           (end - startOfRun_)/fittedInterval() + 1e-6
+                           (end - startOfRun)/solids.control().fittedInterval() + 1e-6
                        )
                    )
                 << " times";

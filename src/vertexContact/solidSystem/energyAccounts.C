@@ -1,0 +1,228 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "energyAccounts.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- Entry of the record and member of the accounts
+struct accountEntry
+{
+    const char* name;
+    scalar solidBody::powers::*value;
+};
+
+constexpr accountEntry accountEntries[] =
+{
+    {"numericalDissipation", &solidBody::powers::numericalDissipation},
+    {"plasticDissipation", &solidBody::powers::plastic},
+    {"externalWork", &solidBody::powers::external},
+    {"contactWork", &solidBody::powers::contact},
+    {"dampingDissipation", &solidBody::powers::damping},
+    {"relaxationDissipation", &solidBody::powers::relaxation}
+};
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::bodyEnergies::operator+=(const bodyEnergies& e)
+{
+    kinetic += e.kinetic;
+    strain += e.strain;
+    plasticDissipation += e.plasticDissipation;
+    numericalDissipation += e.numericalDissipation;
+    externalWork += e.externalWork;
+    contactWork += e.contactWork;
+    dampingDissipation += e.dampingDissipation;
+    relaxationDissipation += e.relaxationDissipation;
+    balance += e.balance;
+}
+
+
+Foam::scalarList Foam::energyAccounts::sums() const
+{
+    scalarList all(nSums*bodies_.size(), scalar(0));
+    forAll(bodies_, i)
+    {
+        // To the time of the state, half a step after the last of the leapfrog
+        const solidBody& body = bodies_[i];
+        solidBody::powers account(accounts_[i]);
+        if (on_ && leapfrog_)
+        {
+            add(account, body.presentPowers(), 0.5*body.lastStep());
+        }
+        scalar* sum = all.data() + nSums*i;
+        *sum++ = body.kineticEnergy();
+        *sum++ = body.strainEnergy();
+        for (const accountEntry& a : accountEntries)
+        {
+            *sum++ = account.*a.value;
+        }
+    }
+    Pstream::listCombineGather(all, plusEqOp<scalar>());
+    Pstream::listCombineScatter(all);
+    return all;
+}
+
+
+void Foam::energyAccounts::add
+(
+    solidBody::powers& account,
+    const solidBody::powers& p,
+    const scalar time
+)
+{
+    account.numericalDissipation += time*p.numericalDissipation;
+    account.external += time*p.external;
+    account.contact += time*p.contact;
+    account.damping += time*p.damping;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::energyAccounts::energyAccounts
+(
+    const PtrList<solidBody>& bodies,
+    const bool leapfrog
+)
+:
+    bodies_(bodies),
+    leapfrog_(leapfrog),
+    accounts_(bodies.size()),
+    old_(bodies.size()),
+    initial_(bodies.size(), scalar(0))
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::energyAccounts::begin()
+{
+    if (continued_) return;
+    const scalarList all(sums());
+    forAll(initial_, i)
+    {
+        initial_[i] = all[nSums*i] + all[nSums*i + 1];
+    }
+}
+
+
+void Foam::energyAccounts::addStage(const scalar time)
+{
+    forAll(bodies_, i)
+    {
+        add(accounts_[i], bodies_[i].stagePowers(), time);
+    }
+}
+
+
+void Foam::energyAccounts::addStop(const scalar sign)
+{
+    forAll(bodies_, i)
+    {
+        add
+        (
+            accounts_[i], bodies_[i].presentPowers(),
+            sign*0.5*bodies_[i].lastStep()
+        );
+        accounts_[i].relaxation += sign*bodies_[i].kineticEnergy();
+    }
+}
+
+
+Foam::List<Foam::bodyEnergies> Foam::energyAccounts::compute
+(
+    const PtrList<contactInterface>& interfaces
+) const
+{
+    const scalarList sums(this->sums());
+    List<bodyEnergies> all(bodies_.size() + 1);
+    forAll(bodies_, i)
+    {
+        const scalar* sum = sums.cdata() + nSums*i;
+        bodyEnergies& e = all[i];
+        e.kinetic = sum[0];
+        e.strain = sum[1];
+        e.numericalDissipation = sum[2];
+        e.plasticDissipation = sum[3];
+        e.externalWork = sum[4];
+        e.contactWork = sum[5];
+        e.dampingDissipation = sum[6];
+        e.relaxationDissipation = sum[7];
+        e.balance =
+            e.total() - initial_[i] + e.numericalDissipation
+          + e.plasticDissipation + e.dampingDissipation
+          + e.relaxationDissipation - e.externalWork - e.contactWork;
+        all.last() += e;
+    }
+    for (const contactInterface& contact : interfaces)
+    {
+        all.last().frictionDissipation += contact.sums().friction;
+    }
+    reduce(all.last().frictionDissipation, sumOp<scalar>());
+    return all;
+}
+
+
+Foam::scalar Foam::energyAccounts::rise(const bodyEnergies& all)
+{
+    const scalar own = all.total() - all.externalWork - all.contactWork;
+    least_ = min(least_, own);
+    largest_ = max(largest_, all.total());
+    return own - least_;
+}
+
+
+void Foam::energyAccounts::read(const dictionary& record)
+{
+    // Accounts that were not kept cannot be continued
+    continued_ = record.getOrDefault("energiesOn", false);
+    for (const solidBody& body : bodies_)
+    {
+        continued_ = continued_ && record.found("region_" + body.name());
+    }
+    if (!continued_)
+    {
+        begin();
+        return;
+    }
+    forAll(bodies_, i)
+    {
+        const dictionary& body =
+            record.subDict("region_" + bodies_[i].name());
+        initial_[i] = body.get<scalar>("initialEnergy");
+        if (Pstream::master())
+        {
+            for (const accountEntry& a : accountEntries)
+            {
+                accounts_[i].*a.value = body.getOrDefault<scalar>(a.name, 0);
+            }
+        }
+    }
+}
+
+
+void Foam::energyAccounts::write(const label i, Ostream& os) const
+{
+    os  << "    initialEnergy " << initial_[i] << ';' << nl;
+    for (const accountEntry& a : accountEntries)
+    {
+        os  << "    " << a.name << ' '
+            << returnReduce(accounts_[i].*a.value, sumOp<scalar>()) << ';'
+            << nl;
+    }
+}
+
+
+// ************************************************************************* //

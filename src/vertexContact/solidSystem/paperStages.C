@@ -1,0 +1,108 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+-------------------------------------------------------------------------------
+Description
+    The paper's integrators (timeIntegrator), Algorithm 2: stages that are each an
+    evaluation and an update.
+
+\*---------------------------------------------------------------------------*/
+
+#include "solidSystem.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::solidSystem::account(const int stage)
+{
+    const scalar dt = integrator_.weight(stage)*runTime_.deltaTValue();
+    if (accounts_.on()) accounts_.addStage(dt);
+    for (contactInterface& contact : interfaces_)
+    {
+        contact.accumulate(dt);
+    }
+}
+
+
+void Foam::solidSystem::advance(const int stage, const updatedPart part)
+{
+    const scalar deltaT = runTime_.deltaTValue();
+    label nBad = 0;
+    for (solidBody& body : bodies_)
+    {
+        nBad += body.advance
+        (
+            deltaT, integrator_.oldWeight(stage),
+            integrator_.instant(stage + 1)*deltaT, part
+        );
+    }
+
+    // Others hear of it at the end of the step: until then, a state that can
+    // be evaluated
+    if (nBad)
+    {
+        wrongNode_ = describeHere
+        (
+            [](const solidBody& body) { return body.findBadNode(); }
+        );
+        for (solidBody& body : bodies_)
+        {
+            part == updatedPart::all
+          ? body.restoreOld()
+          : body.restoreMomentum();
+        }
+    }
+}
+
+
+void Foam::solidSystem::complete(const int stage, const updatedPart part)
+{
+    const scalar deltaT = runTime_.deltaTValue();
+    label nBad = 0;
+    for (solidBody& body : bodies_)
+    {
+        nBad += body.advance
+        (
+            deltaT, integrator_.oldWeight(stage), deltaT, part
+        );
+    }
+
+    settle(nBad);
+}
+
+
+void Foam::solidSystem::stages(const scalar time)
+{
+    const int last = integrator_.nStages() - 1;
+    for (int stage = 0; stage < last; ++stage)
+    {
+        account(stage);
+        advance(stage, updatedPart::all);
+        const scalar instant = integrator_.instant(stage + 1);
+        evaluate
+        (
+            instant == 1
+          ? time
+          : startOfStep_ + instant*runTime_.deltaTValue(),
+            stage + 1
+        );
+    }
+    account(last);
+    if (integrator_.split())
+    {
+        advance(last, updatedPart::momentum);
+        solveBoundaries(time, false, false);
+        for (solidBody& body : bodies_)
+        {
+            body.computeGradients();
+        }
+        complete(last, updatedPart::kinematics);
+    }
+    else
+    {
+        complete(last, updatedPart::all);
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,156 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "runWarnings.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- Largest |F - I| at which a law of small strains is a choice, and the one
+//  below which it is as good as others
+constexpr scalar leavesSmall = 0.05;
+constexpr scalar staysSmall = 0.005;
+
+//- Share of its energy above which a gain is worth a warning
+constexpr scalar gains = 0.01;
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::runWarnings::checkDeformations
+(
+    const PtrList<solidBody>& bodies
+)
+{
+    forAll(bodies, i)
+    {
+        scalar& largest = largestGradient_[i];
+        const bool warned = largest > leavesSmall;
+        largest = max(largest, bodies[i].largestGradient());
+        if (bodies[i].data().finiteStrain || warned)
+        {
+            continue;
+        }
+        reduce(largest, maxOp<scalar>());
+        if (largest > leavesSmall)
+        {
+            WarningInFunction
+                << "Region " << bodies[i].name() << ": |F - I| has reached "
+                << largest << ", but " << bodies[i].material().type()
+                << " is a law of small strains and rotations, whose stress is "
+                << "then wrong by about as much." << nl
+                << "    A step with neoHookean takes about 1.25 times as long "
+                << "(tests/benchmark/features.md)." << endl;
+        }
+    }
+}
+
+
+void Foam::runWarnings::checkEnergies
+(
+    const PtrList<solidBody>& bodies,
+    const List<bodyEnergies>& all
+)
+{
+    forAll(bodies, i)
+    {
+        const bodyEnergies& e = all[i];
+        const scalar share = -e.numericalDissipation/(e.total() + VSMALL);
+        if (!warnedOfGain_ && share > gains)
+        {
+            warnedOfGain_ = true;
+            WarningInFunction
+                << "Region " << bodies[i].name() << " has gained "
+                << 100*share << " % of its energy from the fluxes, which "
+                << "ought to take some (numericalDissipation < 0)." << nl
+                << "    Likely cures: "
+                << (
+                       bodies[i].variational()
+                     ? "a smaller maxCo."
+                     : "'reconstruction linear', which does not gain energy; "
+                       "more than three cells across the body."
+                   )
+                << endl;
+        }
+    }
+
+    const bodyEnergies& e = all.last();
+    const scalar own = e.total() - e.externalWork;
+    for (label i = 0; i < 2; ++i)
+    {
+        const scalar now = i ? own - e.contactWork : own;
+        least_[i] = min(least_[i], now);
+        rise_[i] = max(rise_[i], now - least_[i]);
+    }
+    largest_ = max(largest_, e.total());
+}
+
+
+void Foam::runWarnings::reportGain() const
+{
+    // Obstacles that move do work, which the first does not know; and the
+    // second takes what contact stores and gives back for a rise
+    const scalar rise = min(rise_[0], rise_[1]);
+    if (!warnedOfGain_ && rise > gains*largest_)
+    {
+        WarningInFunction
+            << "The energy has risen by " << 100*rise/largest_
+            << " % of its largest value, without work." << nl
+            << "    Likely cures: a finer mesh, a smaller maxCo; for standing "
+            << "loads no law 'tied'. "
+            << "'maxEnergyRise' in controlDict ends a run where it happens."
+            << endl;
+    }
+}
+
+
+void Foam::runWarnings::reportLaws
+(
+    const PtrList<solidBody>& bodies,
+    Ostream& os
+) const
+{
+    forAll(bodies, i)
+    {
+        const solidBody& body = bodies[i];
+        if (!body.data().finiteStrain || body.rigid())
+        {
+            continue;
+        }
+        if (body.material().plastic())
+        {
+            const scalar flow = returnReduce
+            (
+                max(body.state().epsilonPEq), maxOp<scalar>()
+            );
+            if (flow == 0)
+            {
+                os  << "Region " << body.name() << " has not yielded: a step "
+                    << "with neoHookean takes about 0.85 of the time of one "
+                    << "with " << body.material().type() << nl << nl;
+            }
+            continue;
+        }
+        const scalar largest =
+            returnReduce(largestGradient_[i], maxOp<scalar>());
+        if (largest < staysSmall)
+        {
+            os  << "Region " << body.name() << ": |F - I| stayed below "
+                << largest << " where it was logged. linearElastic, whose "
+                << "stress differs by about as much, takes about 0.8 of the "
+                << "time of " << body.material().type() << nl << nl;
+        }
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,345 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+-------------------------------------------------------------------------------
+Description
+    How a solidSystem is read, and what it says of itself before the first step.
+
+\*---------------------------------------------------------------------------*/
+
+#include "solidSystem.H"
+#include "regionFiles.H"
+#include "systemChecks.H"
+#include "generalInterface.H"
+#include "dictionaryCheck.H"
+#include "uniformDimensionedFields.H"
+#include "IOdictionary.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    defineTypeNameAndDebug(solidSystem, 0);
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::timeIntegrator Foam::solidSystem::readIntegrator
+(
+    const dictionary& controlDict,
+    const preset& defaults
+)
+{
+    return timeIntegrator
+    (
+        dictionaryCheck::readEnum
+        (
+            timeIntegrator::names, controlDict, "timeIntegrator",
+            defaults.integrator
+        )
+    );
+}
+
+
+Foam::PtrList<Foam::solidBody> Foam::solidSystem::readBodies() const
+{
+    const wordList regions(systemChecks::regionNames(runTime_));
+    regionFiles::check(runTime_, regions);
+    PtrList<solidBody> bodies(regions.size());
+    forAll(regions, i)
+    {
+        bodies.set(i, new solidBody(runTime_, regions[i], preset_.scheme));
+    }
+    return bodies;
+}
+
+
+void Foam::solidSystem::readInterfaces()
+{
+    IOobject contactIO
+    (
+        "contactProperties", runTime_.constant(), runTime_,
+        IOobject::MUST_READ_IF_MODIFIED, IOobject::NO_WRITE
+    );
+    if (dictionaryCheck::isThere<IOdictionary>(contactIO))
+    {
+        contactProperties_.reset(new watchedDictionary(contactIO));
+        const dictionary& list = interfaceDicts();
+        // Pairs with an interface of their own are not those of many
+        for (const bool general : {false, true})
+        {
+            for (const entry& e : list)
+            {
+                if (generalInterface::describedBy(e.dict()) == general)
+                {
+                    contactInterface::append
+                    (
+                        e.keyword(), e.dict(), bodies_, interfaces_
+                    );
+                }
+            }
+        }
+    }
+    systemChecks::contactPatches
+    (
+        contactIO.objectPath(), bodies_, interfaces_
+    );
+    // With the leapfrog the speed of waves follows the stretch
+    if (!integrator_.leapfrog()) systemChecks::impacts(interfaces_);
+}
+
+
+void Foam::solidSystem::readGravity()
+{
+    IOobject gravityIO
+    (
+        "g", runTime_.constant(), runTime_,
+        IOobject::MUST_READ, IOobject::NO_WRITE, false
+    );
+    if (dictionaryCheck::isThere<uniformDimensionedVectorField>(gravityIO))
+    {
+        const uniformDimensionedVectorField g(gravityIO);
+        if (g.dimensions() != dimAcceleration)
+        {
+            FatalFileErrorInFunction(gravityIO.objectPath())
+                << "Keyword 'dimensions' is " << g.dimensions()
+                << ": it must be " << dimAcceleration << exit(FatalIOError);
+        }
+        for (solidBody& body : bodies_)
+        {
+            body.setGravity(g.value());
+        }
+    }
+}
+
+
+const Foam::dictionary& Foam::solidSystem::interfaceDicts() const
+{
+    const dictionary& dict = contactProperties_();
+    dictionaryCheck::onlyKeywords(dict, wordList({"interfaces"}));
+    const dictionary& list = dict.subDict("interfaces");
+    for (const entry& e : list)
+    {
+        if (!e.isDict())
+        {
+            FatalIOErrorInFunction(list)
+                << "Keyword '" << e.keyword()
+                << "' is not a dictionary: an interface is"
+                << exit(FatalIOError);
+        }
+    }
+    return list;
+}
+
+
+void Foam::solidSystem::readLaws()
+{
+    const dictionary& list = interfaceDicts();
+    for (contactInterface& contact : interfaces_)
+    {
+        contact.readLaw(list.subDict(contact.dictName()));
+    }
+    contactProperties_->changed = false;
+}
+
+
+Foam::dictionary Foam::solidSystem::readRecord()
+{
+    systemChecks::processors(runTime_);
+    IOobject io
+    (
+        "solidSystem", runTime_.timeName(), "uniform", runTime_,
+        IOobject::MUST_READ, IOobject::NO_WRITE, false
+    );
+    if (!dictionaryCheck::isThere<IOdictionary>(io))
+    {
+        return dictionary();
+    }
+    const IOdictionary record(io);
+    const scalar exact = record.get<scalar>("time");
+    if (runTime_.timeName(exact) != runTime_.timeName())
+    {
+        return dictionary();
+    }
+    runTime_.setTime(exact, runTime_.timeIndex());
+    return record;
+}
+
+
+void Foam::solidSystem::readSteps(const dictionary& record)
+{
+    leastLimit_.read(record);
+    commonStep_ = record.getOrDefault<scalar>("lastStep", 0);
+    shortStep_ = record.getOrDefault<scalar>("shortStep", commonStep_);
+    if (record.found("shortStep") && !ratios_->active())
+    {
+        FatalIOErrorInFunction(runTime_.controlDict())
+            << "Keyword 'subCycling' is no, but the run that this one goes on "
+            << "from had steps of their own: it must be yes. "
+            << "'maxSubCycles 1' gives one step to all regions."
+            << exit(FatalIOError);
+    }
+    forAll(bodies_, i)
+    {
+        const dictionary& its =
+            record.subOrEmptyDict("region_" + bodies_[i].name());
+        bodies_[i].setLastStep
+        (
+            its.getOrDefault<scalar>("lastStep", commonStep_)
+        );
+        ratios_->read(i, its);
+        bodies_[i].readRigid(its.subOrEmptyDict("rigid"));
+    }
+}
+
+
+void Foam::solidSystem::readImpulses(const dictionary& record)
+{
+    for (contactInterface& contact : interfaces_)
+    {
+        if (record.found("interface_" + contact.name()))
+        {
+            contact.readRecord
+            (
+                record.subDict("interface_" + contact.name())
+            );
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::solidSystem::solidSystem(Time& runTime)
+:
+    regIOobject
+    (
+        IOobject
+        (
+            "solidSystem", runTime.timeName(), "uniform", runTime,
+            IOobject::NO_READ, IOobject::AUTO_WRITE
+        )
+    ),
+    runTime_(runTime),
+    preset_(runTime.controlDict()),
+    control_(runTime, preset_),
+    integrator_(readIntegrator(runTime.controlDict(), preset_)),
+    record_(readRecord()),
+    bodies_(readBodies()),
+    accounts_(bodies_, integrator_.leapfrog()),
+    oldStatus_(bodies_.size()),
+    oldSlide_(bodies_.size()),
+    maxEnergyRise_(control_.maxEnergyRise()),
+    warnings_(bodies_.size()),
+    bodyStep_(bodies_.size(), scalar(0))
+{
+    ratios_.reset(new stepRatios(runTime.controlDict(), countNodes()));
+    systemChecks::integrator(integrator_, preset_, control_, bodies_);
+    systemChecks::rigid(control_, bodies_);
+    readSlowLoading(record_);
+    readInterfaces();
+    readGravity();
+
+    readImpulses(record_);
+    accounts_.read(record_);
+    readSteps(record_);
+    if (maxEnergyRise_ > 0) accountEnergies();
+    startOfRun_ = runTime_.value();
+
+    for (solidBody& body : bodies_)
+    {
+        body.releaseMeshTables();
+    }
+    if (integrator_.leapfrog())
+    {
+        evaluate(startOfRun_, 0);
+    }
+
+    // Time::run() compares the end with deltaT, which is not ours before the
+    // first step
+    const scalar left = runTime_.endTime().value() - startOfRun_;
+    if (control_.adjusts() && left > 0)
+    {
+        runTime_.setDeltaT(min(runTime_.deltaTValue(), 0.5*left), false);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::label Foam::solidSystem::findBody(const word& region) const
+{
+    forAll(bodies_, i)
+    {
+        if (bodies_[i].name() == region) return i;
+    }
+    return -1;
+}
+
+
+void Foam::solidSystem::accountEnergies()
+{
+    if (accounts_.on()) return;
+    accounts_.switchOn();
+    if (integrator_.leapfrog()) evaluate(runTime_.value(), 0);
+    accounts_.begin();
+}
+
+
+void Foam::solidSystem::accountReactions()
+{
+    bool on = true;
+    for (solidBody& body : bodies_)
+    {
+        if (body.reactionsOn()) continue;
+        body.accountReactions();
+        on = false;
+    }
+    // They need the rates of this instant
+    if (!on) evaluate(runTime_.value(), 0);
+}
+
+
+void Foam::solidSystem::report(Ostream& os) const
+{
+    os  << "Preset " << preset::names[preset_.name] << ": timeIntegrator "
+        << timeIntegrator::names[integrator_.type()];
+    if (control_.adjusts())
+    {
+        os  << ", maxCo " << control_.maxCo() << nl;
+    }
+    else
+    {
+        os  << ", fixed step" << nl;
+    }
+    if (ratios_->active())
+    {
+        os  << "Steps of their own for the regions" << nl;
+    }
+    massScaling_->report(bodies_, os);
+    if (relaxation_.valid())
+    {
+        os  << "Relaxation: at each peak of the kinetic energy what is free "
+            << "is stopped" << nl;
+    }
+    for (const solidBody& body : bodies_)
+    {
+        os  << "Region " << body.name() << nl;
+        body.report(os);
+        os  << nl;
+    }
+    for (const contactInterface& contact : interfaces_)
+    {
+        contact.report(os);
+    }
+    if (interfaces_.empty())
+    {
+        os  << "No contact interfaces" << nl;
+    }
+    os  << endl;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,236 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+-------------------------------------------------------------------------------
+Description
+    How a run ends that has gone wrong: the state at the start of the step is
+    written, and a message says where, when, and what the user may do.
+
+\*---------------------------------------------------------------------------*/
+
+#include "solidSystem.H"
+#include "systemChecks.H"
+#include "writtenTimes.H"
+#include "OStringStream.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::string Foam::solidSystem::describeHere
+(
+    const std::function<label(const solidBody&)>& find
+) const
+{
+    for (const solidBody& body : bodies_)
+    {
+        const label node = find(body);
+        if (node >= 0)
+        {
+            OStringStream os;
+            os  << "region " << body.name() << ", node at "
+                << body.mesh().points()[body.dual().nodePoint()[node]]
+                << " (reference) " << body.position(node) << " (current)";
+            return os.str();
+        }
+    }
+    return string();
+}
+
+
+Foam::string Foam::solidSystem::firstOf(const string& message)
+{
+    List<string> all(Pstream::nProcs());
+    all[Pstream::myProcNo()] = message;
+    Pstream::gatherList(all);
+    Pstream::scatterList(all);
+    for (const string& s : all)
+    {
+        if (s.size())
+        {
+            return s;
+        }
+    }
+    return message;
+}
+
+
+void Foam::solidSystem::checkTimeStep()
+{
+    if (leastTimeStep_ == 0)
+    {
+        leastTimeStep_ = control_.minDeltaT
+        (
+            1e-6
+           *(
+                systemChecks::allRigid(bodies_)
+              ? min(timeStepLimit_, runTime_.deltaTValue())
+              : timeStepLimit_
+            )
+        );
+    }
+    if (timeStepLimit_ >= leastTimeStep_)
+    {
+        return;
+    }
+    const string what = firstOf
+    (
+        describeHere
+        (
+            [&](const solidBody& b) { return b.findNodeWithin(timeStepLimit_); }
+        )
+    );
+    if (runTime_.value() != startOfRun_ && !dry_)
+    {
+        runTime_.writeNow();
+    }
+    FatalErrorInFunction
+        << "The stable time step has fallen to " << timeStepLimit_
+        << " s, below " << leastTimeStep_ << " s (minDeltaT): "
+        << what.c_str() << ", at time " << runTime_.value() << " s." << nl
+        << "Likely cures: cells that are less distorted there, or a material "
+        << "that is meant for such deformations." << exit(FatalError);
+}
+
+
+void Foam::solidSystem::stopStep
+(
+    const string& what,
+    const string& where,
+    const string& cures
+)
+{
+    const scalar badTime = runTime_.value();
+    accounts_.restore();
+    forAll(bodies_, i)
+    {
+        bodies_[i].restoreOld();
+        bodies_[i].contact().status = oldStatus_[i];
+        bodies_[i].contact().slide = oldSlide_[i];
+    }
+    for (contactInterface& contact : interfaces_)
+    {
+        contact.restoreSums();
+    }
+    commonStep_ = oldCommonStep_;
+    shortStep_ = oldShortStep_;
+    runTime_.setTime(startOfStep_, runTime_.timeIndex() - 1);
+    if (integrator_.leapfrog())
+    {
+        // Its velocities and tractions, as a run that starts from it has them
+        evaluateForces(startOfStep_, false);
+    }
+
+    // The state that the run started from is there already
+    string written
+    (
+        dry_ ? "Nothing was written: this is a dry run."
+      : "Nothing was written: this was the first step."
+    );
+    if (startOfStep_ != startOfRun_ && !dry_)
+    {
+        runTime_.writeNow();
+        writtenTimes::check(*this);
+        written =
+            "The state at the start of this step was written to time "
+          + runTime_.timeName() + '.';
+    }
+
+    FatalErrorInFunction
+        << what.c_str() << ": " << where.c_str() << ", in the step to time "
+        << badTime << " s." << nl
+        << written.c_str() << nl
+        << "Likely cures: " << cures.c_str() << exit(FatalError);
+}
+
+
+void Foam::solidSystem::stopOnBadState()
+{
+    // Where, before the state is put back
+    const string where = firstOf
+    (
+        wrongNode_.size()
+      ? wrongNode_
+      : describeHere
+        (
+            [](const solidBody& body) { return body.findBadNode(); }
+        )
+    );
+    stopStep
+    (
+        "The state is not finite or has a Jacobian that is not positive",
+        where,
+        integrator_.leapfrog()
+      ? "a smaller maxCo or a finer mesh where the deformation is largest."
+      : "a smaller maxCo, 'reconstruction linear' or a finer mesh where the "
+        "deformation is largest."
+    );
+}
+
+
+void Foam::solidSystem::stopOnLostContact(const string& where)
+{
+    stopStep
+    (
+        "A surface has gone through another one",
+        where,
+        "a finer mesh at the surfaces, or edges that are rounded where they "
+        "dig in; an impact that fast may be beyond the scheme "
+        "(tests/robustness/stability.md)."
+    );
+}
+
+
+void Foam::solidSystem::checkEnergy()
+{
+    if (maxEnergyRise_ == 0) return;
+
+    const List<bodyEnergies> all(computeEnergies());
+    const scalar rise = accounts_.rise(all.last());
+    if (rise <= maxEnergyRise_*accounts_.largest()) return;
+
+    // Where: the body that has least reason for its energy, and its fastest
+    // node
+    label worst = 0;
+    for (label i = 1; i < bodies_.size(); ++i)
+    {
+        if (all[i].numericalDissipation < all[worst].numericalDissipation)
+        {
+            worst = i;
+        }
+    }
+    scalar fastest = 0;
+    forAll(bodies_, i)
+    {
+        if (i == worst) fastest = bodies_[i].largestSpeed();
+    }
+    reduce(fastest, maxOp<scalar>());
+    const string where = firstOf
+    (
+        describeHere
+        (
+            [&](const solidBody& body)
+            {
+                return
+                    &body == &bodies_[worst]
+                  ? body.findNodeFasterThan(fastest*(1 - 1e-12))
+                  : -1;
+            }
+        )
+    );
+    OStringStream os;
+    os  << "The energy has risen by " << rise << " J, "
+        << rise/accounts_.largest()
+        << " of its largest value (maxEnergyRise " << maxEnergyRise_ << ')';
+    stopStep
+    (
+        os.str(),
+        where,
+        integrator_.leapfrog()
+      ? "a smaller maxCo, or 'cells simplicial'."
+      : "a smaller maxCo, 'reconstruction linear', which never gains energy, "
+        "or 'cells simplicial'."
+    );
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,274 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "systemChecks.H"
+#include "stepControl.H"
+#include "dictionaryCheck.H"
+#include "IOdictionary.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Fastest impact, by the speed of waves, in which all surfaces kept apart
+constexpr Foam::scalar fastImpact = 0.7;
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+Foam::wordList Foam::systemChecks::regionNames(const Time& runTime)
+{
+    IOobject io
+    (
+        "regionProperties", runTime.constant(), runTime,
+        IOobject::MUST_READ, IOobject::NO_WRITE, false
+    );
+    if (!dictionaryCheck::isThere<IOdictionary>(io))
+    {
+        return wordList(1, polyMesh::defaultRegion);
+    }
+
+    const IOdictionary dict(io);
+    dictionaryCheck::onlyKeywords(dict, wordList({"regions"}));
+    const HashTable<wordList> groups
+    (
+        dict.get<HashTable<wordList>>("regions")
+    );
+
+    wordList names;
+    for (const word& group : groups.sortedToc())
+    {
+        if (group != "solid")
+        {
+            FatalIOErrorInFunction(dict)
+                << "Keyword 'regions': unknown group '" << group
+                << "'. Valid groups: (solid)" << exit(FatalIOError);
+        }
+        names.append(groups[group]);
+    }
+    forAll(names, i)
+    {
+        for (label j = 0; j < i; ++j)
+        {
+            if (names[i] == names[j])
+            {
+                FatalIOErrorInFunction(dict)
+                    << "Keyword 'regions': region '" << names[i]
+                    << "' is listed twice" << exit(FatalIOError);
+            }
+        }
+        const fileName mesh
+        (
+            runTime.path()/runTime.constant()/names[i]/"polyMesh"
+        );
+        if (!isDir(mesh) && !Pstream::parRun())
+        {
+            FatalIOErrorInFunction(dict)
+                << "Keyword 'regions': region '" << names[i]
+                << "' has no mesh, there is no folder " << mesh
+                << exit(FatalIOError);
+        }
+    }
+    if (names.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Keyword 'regions' lists no region. Example: "
+            << "regions ( solid (bar1 bar2) );" << exit(FatalIOError);
+    }
+    return names;
+}
+
+
+void Foam::systemChecks::processors(const Time& runTime)
+{
+    if (!Pstream::parRun()) return;
+
+    const fileName mine
+    (
+        fileHandler().filePath(runTime.path()/runTime.constant())
+    );
+    label missing = mine.size() ? labelMax : Pstream::myProcNo();
+    reduce(missing, minOp<label>());
+    if (missing != labelMax)
+    {
+        FatalErrorInFunction
+            << "There is no " << runTime.constant() << " folder of processor"
+            << missing << ", but the run has " << Pstream::nProcs()
+            << " ranks." << nl << "Decompose the case for as many: "
+            << "decomposePar -allRegions -force" << exit(FatalError);
+    }
+}
+
+
+void Foam::systemChecks::integrator
+(
+    const timeIntegrator& integrator,
+    const preset& given,
+    const stepControl& control,
+    const PtrList<solidBody>& bodies
+)
+{
+    if
+    (
+        !integrator.leapfrog()
+     && integrator.type() != integratorType::TVDRK3
+    )
+    {
+        for (const solidBody& body : bodies)
+        {
+            // Twice the same node where ranks share it: never too few
+            const label nodes =
+                returnReduce(body.dual().nNodes(), sumOp<label>());
+            if (nodes <= std::pow(3, body.dual().nDim()))
+            {
+                WarningInFunction
+                    << "Region '" << body.name() << "' has " << nodes
+                    << " nodes. What vibrates in bodies of two cells across "
+                    << "is not damped, and grows in long runs with "
+                    << timeIntegrator::names[integrator.type()]
+                    << " (tests/robustness/stability.md): more cells, or "
+                    << "'timeIntegrator TVDRK3'." << endl;
+            }
+        }
+    }
+    if
+    (
+        control.dict().getOrDefault("subCycling", false)
+     && !integrator.leapfrog()
+    )
+    {
+        FatalIOErrorInFunction(control.dict())
+            << "Keyword 'subCycling' is yes, which does not go with preset "
+            << preset::names[given.name] << " (timeIntegrator "
+            << timeIntegrator::names[integrator.type()]
+            << "). Valid integrators for it: (leapfrog)"
+            << exit(FatalIOError);
+    }
+    for (const solidBody& body : bodies)
+    {
+        if (body.variational() != integrator.leapfrog())
+        {
+            FatalIOErrorInFunction(control.dict())
+                << "Keyword 'timeIntegrator': "
+                << timeIntegrator::names[integrator.type()]
+                << " does not go with preset " << preset::names[given.name]
+                << ". Valid integrators for it: "
+                << (
+                       body.variational()
+                     ? "(leapfrog)" : "(TVDRK2 TVDRK3 symplecticEuler)"
+                   )
+                << exit(FatalIOError);
+        }
+    }
+    if (!integrator.split()) return;
+
+    for (const solidBody& body : bodies)
+    {
+        if (body.options().reconstruction == reconstructionType::full)
+        {
+            FatalIOErrorInFunction(control.dict())
+                << "Keyword 'timeIntegrator': symplecticEuler goes with "
+                << "'reconstruction' linear or none, but region '"
+                << body.name() << "' has full (fvSchemes). Valid integrators "
+                << "for full: (TVDRK2 TVDRK3)" << exit(FatalIOError);
+        }
+    }
+}
+
+
+bool Foam::systemChecks::allRigid(const PtrList<solidBody>& bodies)
+{
+    bool all = true;
+    for (const solidBody& body : bodies) all = all && body.rigid();
+    return all;
+}
+
+
+void Foam::systemChecks::rigid
+(
+    const stepControl& control,
+    const PtrList<solidBody>& bodies
+)
+{
+    if (allRigid(bodies) && control.adjusts())
+    {
+        FatalIOErrorInFunction(control.dict())
+            << "Keyword 'adjustTimeStep' is yes, but all regions are rigid: "
+            << "nothing says how long a step may be. It must be no, with "
+            << "'deltaT'" << exit(FatalIOError);
+    }
+}
+
+
+void Foam::systemChecks::contactPatches
+(
+    const fileName& file,
+    const PtrList<solidBody>& bodies,
+    const PtrList<contactInterface>& interfaces
+)
+{
+    for (const solidBody& body : bodies)
+    {
+        for (const label patchi : body.contactPatches())
+        {
+            bool named = false;
+            for (const contactInterface& contact : interfaces)
+            {
+                for (const contactSide& s : contact.sides())
+                {
+                    named = named || (s.body == &body && s.patchi == patchi);
+                }
+            }
+            if (!named)
+            {
+                FatalFileErrorInFunction(file)
+                    << "Keyword 'interfaces': no interface has patch '"
+                    << body.mesh().boundaryMesh()[patchi].name()
+                    << "' of region '" << body.name()
+                    << "' as a side, but its 'type' in pointU is "
+                    << "'contact'" << exit(FatalIOError);
+            }
+        }
+    }
+}
+
+
+void Foam::systemChecks::impacts
+(
+    const PtrList<contactInterface>& interfaces
+)
+{
+    for (const contactInterface& all : interfaces)
+    for (const contactInterface& contact : all.parts())
+    {
+        const List<contactSide> sides(contact.sides());
+        const solidBody& a = *sides.first().body;
+        const solidBody& b = *sides.last().body;
+        const bool stretches =
+            (a.material().stretchesWaves() && !a.options().stretchedWaves)
+         || (b.material().stretchesWaves() && !b.options().stretchedWaves);
+
+        // Of an obstacle: as if it were at rest
+        const vector v(a.meanVelocity());
+        const scalar speed = mag(sides.size() > 1 ? v - b.meanVelocity() : v);
+        const scalar cp = min(a.material().cp(), b.material().cp());
+        if (stretches && speed > fastImpact*cp)
+        {
+            WarningInFunction
+                << "Interface '" << contact.name() << "': the bodies approach "
+                << "with " << speed/cp << " of the speed of their waves. "
+                << "Above " << fastImpact << " surfaces may go through each "
+                << "other (tests/robustness/stability.md): 'waveSpeed "
+                << "stretched' in fvSchemes." << endl;
+        }
+    }
+}
+
+
+// ************************************************************************* //
