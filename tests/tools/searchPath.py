@@ -26,6 +26,7 @@ FOLDERS = (
     "tutorials/hertzContact",
     "tutorials/hundredDiscs",
     "tutorials/newtonsCradle",
+    "tutorials/pressFit",
     "tutorials/shallowIroning",
     "tutorials/twoBarImpact",
 )

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Write the files of a hundred discs, from those of the template: each has a
-place, a radius, a rubber, and a velocity. Prints a line for each: its name, its
-radius [m], and its centre as multiples of that. With -list nothing is written,
-and the names are printed, as an entry of a dictionary.
+place, a radius, and a velocity. What they have in common stands in
+constant/solidProperties and system/fvSchemes. Prints a line for each: its name,
+its radius [m], and its centre as multiples of that. With -list nothing is
+written, and the names are printed, as an entry of a dictionary.
 
     discs.py [-list]
 
@@ -22,8 +23,8 @@ LOWEST = 0.016              # place of the lowest row [m]
 RADII = 0.008, 0.010, 0.012
 SHIFT = 0.0012              # from the places, at most, in x and in y [m]
 SPEED = 0.5                 # at most, in x and in y [m/s]
-# Twice as stiff and twice as heavy: waves are as fast in it
-STIFF = {"rho": "2000", "E": "2e5"}
+# Of soft and of stiff ones [kg/m3], as in constant/solidProperties
+DENSITY = 1000, 2000
 
 
 def random(seed):
@@ -57,12 +58,10 @@ def write(file, **values):
 
 
 def main(case=Path()):
-    for name, radius, (x, y), (u, v), stiff in discs():
+    for name, radius, (x, y), (u, v), _ in discs():
         for folder in "system", "constant", "0":
             shutil.copytree(case/folder/"disc", case/folder/name)
         write(case/"0"/name/"pointU", internalField=f"uniform ({u} {v} 0)")
-        if stiff:
-            write(case/"constant"/name/"mechanicalProperties", **STIFF)
         print(name, radius, f"({x/radius} {y/radius} 0)")
 
 

@@ -16,7 +16,7 @@ GRAVITY = 9.81
 def mass(nQuarter):
     """Of all discs [kg/m], which are regular polygons."""
     n = 4*nQuarter
-    return sum(float(discs.STIFF["rho"] if stiff else 1000)
+    return sum(discs.DENSITY[stiff]
                * 0.5*n*np.sin(2*np.pi/n)*radius**2
                for _, radius, _, _, stiff in discs.discs())
 

@@ -53,49 +53,36 @@ Foam::massScaling::massScaling
     PtrList<solidBody>& bodies
 )
 {
-    DynamicList<word> names;
-    DynamicList<label> which;
-    forAll(bodies, i)
-    {
-        if (bodies[i].rigid()) continue;
-        names.append(bodies[i].name());
-        which.append(i);
-    }
     const List<const dictionary*> settings
     (
-        regionSettings::read
-        (
-            controlDict, "massScaling", wordList(names), keywords()
-        )
+        regionSettings::read(controlDict, "massScaling", bodies, keywords())
     );
-    const auto before = [&](const label i)
+    scalarField mass(bodies.size(), Zero);
+    forAll(bodies, i)
     {
-        return record.subOrEmptyDict("region_" + bodies[i].name())
-            .getOrDefault<scalar>("massFactor", 1);
-    };
-    if (settings.empty())
-    {
-        // Momenta of an earlier run
-        for (const label i : which) bodies[i].scaleMass(1, before(i));
-        return;
+        if (settings.empty() || bodies[i].rigid()) continue;
+        mass[i] = returnReduce(bodies[i].mass(), sumOp<scalar>());
     }
-
-    scalarField mass(which.size());
-    forAll(which, k)
+    forAll(bodies, i)
     {
-        mass[k] = returnReduce(bodies[which[k]].mass(), sumOp<scalar>());
-    }
-    forAll(which, k)
-    {
-        solidBody& body = bodies[which[k]];
-        const scalar factor = settings[k] ? readFactor(*settings[k], body) : 1;
-        body.scaleMass(factor, before(which[k]));
-        if (!settings[k]) continue;
+        solidBody& body = bodies[i];
+        if (body.rigid()) continue;
 
-        const dictionary& dict = *settings[k];
+        // Momenta of an earlier run are those of its mass
+        const bool scaled = settings.size() && settings[i];
+        const scalar factor = scaled ? readFactor(*settings[i], body) : 1;
+        body.scaleMass
+        (
+            factor,
+            record.subOrEmptyDict("region_" + body.name())
+                .getOrDefault<scalar>("massFactor", 1)
+        );
+        if (!scaled) continue;
+
+        const dictionary& dict = *settings[i];
         added a;
-        a.body = which[k];
-        a.mass = (factor - 1)*mass[k];
+        a.body = i;
+        a.mass = (factor - 1)*mass[i];
         a.ofAll = a.mass/sum(mass);
         const scalar limit =
             dictionaryCheck::readNumberOrDefault(dict, "limit", dimless, 0.05);

@@ -13,7 +13,7 @@ Foam::List<const Foam::dictionary*> Foam::regionSettings::read
 (
     const dictionary& controlDict,
     const word& keyword,
-    const wordList& regions,
+    const PtrList<solidBody>& bodies,
     const keywordList& valid
 )
 {
@@ -27,6 +27,11 @@ Foam::List<const Foam::dictionary*> Foam::regionSettings::read
             << "quotes matches. Their keywords: "
             << dictionaryCheck::listed(valid.names()).c_str()
             << exit(FatalIOError);
+    }
+    DynamicList<word> regions;
+    for (const solidBody& body : bodies)
+    {
+        if (!body.rigid()) regions.append(body.name());
     }
     const dictionary& all = controlDict.subDict(keyword);
     for (const entry& e : all)
@@ -55,10 +60,10 @@ Foam::List<const Foam::dictionary*> Foam::regionSettings::read
         }
     }
 
-    settings.setSize(regions.size(), nullptr);
-    forAll(regions, i)
+    settings.setSize(bodies.size(), nullptr);
+    forAll(bodies, i)
     {
-        settings[i] = all.findDict(regions[i]);
+        if (!bodies[i].rigid()) settings[i] = all.findDict(bodies[i].name());
     }
     return settings;
 }

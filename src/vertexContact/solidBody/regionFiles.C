@@ -122,20 +122,27 @@ Foam::dictionary Foam::regionFiles::schemes(const polyMesh& mesh)
 }
 
 
-Foam::dictionary Foam::regionFiles::velocity(const polyMesh& mesh)
+Foam::fileName Foam::regionFiles::velocityFile(const polyMesh& mesh)
 {
     const Time& runTime = mesh.time();
-    const IOobject own(input("pointU", runTime.timeName(), mesh));
-    IOobject io(own);
+    IOobject own(input("pointU", runTime.timeName(), mesh));
     const fileName shared
     (
         runTime.globalPath()/runTime.timeName()/own.name()
     );
-    if
-    (
-        dictionaryCheck::isThere<pointVectorField>(io)
+    return
+        dictionaryCheck::isThere<pointVectorField>(own)
      || isCase(mesh) || !fileHandler().isFile(shared)
-    )
+      ? own.objectPath()
+      : shared;
+}
+
+
+Foam::dictionary Foam::regionFiles::velocity(const polyMesh& mesh)
+{
+    const IOobject own(input("pointU", mesh.time().timeName(), mesh));
+    const fileName shared(velocityFile(mesh));
+    if (shared == own.objectPath())
     {
         // OpenFOAM's own message if it is not there
         return localIOdictionary(own, pointVectorField::typeName);

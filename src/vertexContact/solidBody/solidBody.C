@@ -118,7 +118,7 @@ const Foam::solidBoundaryCondition& Foam::solidBody::condition
 
     if (!bc)
     {
-        FatalFileErrorInFunction(pointU_.objectPath())
+        FatalFileErrorInFunction(pointUFile_)
             << "Keyword 'boundaryField': patch '" << pf.patch().name()
             << "' has the boundary condition '" << pf.type()
             << "', which is not one of a solid." << nl
@@ -317,6 +317,7 @@ Foam::solidBody::solidBody
     options_(regionFiles::schemes(mesh_), defaults),
     dual_(mesh_, options_.cells),
     material_(readMaterial(dual_, options_)),
+    pointUFile_(regionFiles::velocityFile(mesh_)),
     pointU_
     (
         IOobject
@@ -479,7 +480,7 @@ Foam::label Foam::solidBody::contactPatch
         FatalIOErrorInFunction(dict)
             << "Keyword '" << keyword << "': patch '" << patch
             << "' of region '" << name_ << "' has the type '"
-            << pf.type() << "' in " << pointU_.objectPath()
+            << pf.type() << "' in " << pointUFile_
             << ": it must be 'contact'" << exit(FatalIOError);
     }
 

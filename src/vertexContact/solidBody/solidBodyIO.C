@@ -104,7 +104,7 @@ void Foam::solidBody::readState()
 
     if (pointU_.dimensions() != dimVelocity)
     {
-        FatalFileErrorInFunction(pointU_.objectPath())
+        FatalFileErrorInFunction(pointUFile_)
             << "Keyword 'dimensions' is " << pointU_.dimensions()
             << ": it must be " << dimVelocity << exit(FatalIOError);
     }
@@ -112,7 +112,7 @@ void Foam::solidBody::readState()
     {
         if (!(std::isfinite(v.x() + v.y() + v.z())))
         {
-            FatalFileErrorInFunction(pointU_.objectPath())
+            FatalFileErrorInFunction(pointUFile_)
                 << "Keyword 'internalField': a value is not finite"
                 << exit(FatalIOError);
         }

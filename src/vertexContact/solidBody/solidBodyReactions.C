@@ -47,7 +47,7 @@ void Foam::solidBody::checkMotions() const
         const bool partly = motion->ofDisplacement() || !motion->complete();
         if (!data_.variational && partly)
         {
-            FatalFileErrorInFunction(pointU_.objectPath())
+            FatalFileErrorInFunction(pointUFile_)
                 << "Keyword 'boundaryField': patch '" << pf.patch().name()
                 << "' of type '" << pf.type() << "' prescribes "
                 << (
@@ -69,7 +69,7 @@ void Foam::solidBody::checkMotions() const
             }
             if (mag(out) > 1e-6)
             {
-                FatalFileErrorInFunction(pointU_.objectPath())
+                FatalFileErrorInFunction(pointUFile_)
                     << "Keyword 'boundaryField': patch '" << pf.patch().name()
                     << "' of type '" << pf.type() << "' has 'components' or a "
                     << "'direction' (" << direction.x() << ' '
@@ -116,7 +116,7 @@ void Foam::solidBody::checkStart() const
         reduce(least, minOp<scalar>());
         if (least > largestJump && least < 0.1*GREAT)
         {
-            FatalFileErrorInFunction(pointU_.objectPath())
+            FatalFileErrorInFunction(pointUFile_)
                 << "Keyword 'boundaryField': patch '"
                 << pointU_.boundaryField()[patchi].patch().name()
                 << "' has a 'displacement' of " << given

@@ -38,7 +38,7 @@ void Foam::solidBody::makeRigid()
     {
         const label patchi = patch.patchIndex;
         if (!corners_.set(patchi) || condition(patchi).contact()) continue;
-        FatalFileErrorInFunction(pointU_.objectPath())
+        FatalFileErrorInFunction(pointUFile_)
             << "Keyword 'boundaryField': patch '"
             << mesh_.boundaryMesh()[patchi].name() << "' of the rigid region '"
             << name_ << "' has the type '"

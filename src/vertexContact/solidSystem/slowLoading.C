@@ -18,19 +18,11 @@ void Foam::solidSystem::readSlowLoading(const dictionary& record)
     const dictionary& control = runTime_.controlDict();
     massScaling_.reset(new massScaling(control, record, bodies_));
 
-    DynamicList<word> names;
-    DynamicList<label> which;
-    forAll(bodies_, i)
-    {
-        if (bodies_[i].rigid()) continue;
-        names.append(bodies_[i].name());
-        which.append(i);
-    }
     const List<const dictionary*> settings
     (
         regionSettings::read
         (
-            control, "damping", wordList(names), massDamping::keywords()
+            control, "damping", bodies_, massDamping::keywords()
         )
     );
     damped_ = settings.size();
@@ -45,9 +37,9 @@ void Foam::solidSystem::readSlowLoading(const dictionary& record)
             << "). Valid integrators for it: (leapfrog)"
             << exit(FatalIOError);
     }
-    forAll(settings, k)
+    forAll(settings, i)
     {
-        if (settings[k]) bodies_[which[k]].setDamping(*settings[k]);
+        if (settings[i]) bodies_[i].setDamping(*settings[i]);
     }
 
     if (!relaxes) return;

@@ -1,0 +1,189 @@
+"""Many regions: files of the case for those that have none of their own, with
+the same results to the last bit; and each as a whole on one rank."""
+
+import re
+import shutil
+
+import numpy as np
+import pytest
+
+from caseTools import (DEFAULT, Case, checked, contents, differingFiles,
+                       execute, timeFolders)
+from smallCases import RUBBER, Body, SmallCase, condition
+
+STIFF = {**RUBBER, "E": 4}
+NAMES = "b1", "b2", "b3"
+PUSH = {"push": {"type": "uniform", "acceleration": (0.01, 0, 0)}}
+
+
+def collision(folder):
+    """Three blocks in a row, each with its gap to the next; the second is
+    stiffer."""
+    bodies = [
+        Body(cells=(3, 3), name=name,
+             material=STIFF if name == "b2" else RUBBER,
+             start=(1.02*i, 0, 0), velocity=(0.05, 0.01, 0), forces=PUSH,
+             scheme={"correction": 0.2},
+             sides={"left": "contact", "right": "contact",
+                    "top": condition("traction", traction=(0, -0.01, 0))})
+        for i, name in enumerate(NAMES)]
+    return SmallCase(
+        folder, bodies, 2.0, preset=DEFAULT, functions=("contactForces",),
+        interfaces={"all": {"surfaces": "all", "law": {"type": "frictionless"}}})
+
+
+def share(case):
+    """Take from the regions what the case can have for all."""
+    pointU = case.path/"0/b1/pointU"
+    text = pointU.read_text()
+    start, end = text.index("nonuniform"), text.index("boundaryField")
+    pointU.write_text(text[:start] + "uniform (0.05 0.01 0);\n" + text[end:])
+    shutil.move(pointU, case.path/"0/pointU")
+    shutil.move(case.path/"constant/b1/bodyForces",
+                case.path/"constant/bodyForces")
+    shutil.copy(case.path/"system/b1/fvSchemes", case.path/"system/fvSchemes")
+    for name in NAMES:
+        for file in (f"0/{name}/pointU", f"constant/{name}/bodyForces",
+                     f"constant/{name}/mechanicalProperties"):
+            (case.path/file).unlink(missing_ok=True)
+        # OpenFOAM's tools want the file, without our dictionary
+        case.dictionary(f"system/{name}/fvSchemes", {
+            f"{kind}Schemes": {} for kind in ("ddt", "grad", "div", "laplacian",
+                                              "interpolation", "snGrad")})
+    case.dictionary("constant/solidProperties",
+                    {'"b.*"': RUBBER, "b2": STIFF})
+
+
+def results(folders):
+    """Of the last time of each folder."""
+    return [contents(folder/timeFolders(folder)[-1]) for folder in folders]
+
+
+def differing(a, b, parts=(".",)):
+    return differingFiles(results(a.path/part for part in parts),
+                          results(b.path/part for part in parts))
+
+
+def test_same_results(tmp_path):
+    """Names go before expressions: b2 is the stiff one."""
+    own = collision(tmp_path/"own").run()
+    shared = collision(tmp_path/"shared")
+    share(shared)
+    shared.run()
+    assert differing(own, shared) == []
+
+
+def test_on_two_ranks(tmp_path):
+    """decomposePar knows nothing of shared files: they are found where the
+    case is."""
+    own, shared = collision(tmp_path/"own"), collision(tmp_path/"shared")
+    share(shared)
+    for case in own, shared:
+        case.runParallel(2)
+    assert differing(own, shared, ("processor0", "processor1")) == []
+
+
+def test_restart(tmp_path):
+    """What is written belongs to each region; a run goes on from that."""
+    whole = collision(tmp_path/"whole")
+    share(whole)
+    shutil.copytree(whole.path, tmp_path/"parts")
+    parts = Case(tmp_path/"parts")
+    for case, ends in (whole, (2,)), (parts, (1, 2)):
+        case.set("system/controlDict", {"writeInterval": 1})
+        for end in ends:
+            case.set("system/controlDict", {"endTime": end})
+            assert execute(["vertexContactFoam"], case.path).returncode == 0
+    assert differing(whole, parts) == []
+
+
+def refused(case):
+    done = execute(["vertexContactFoam"], case.path)
+    assert done.returncode
+    return done.stdout
+
+
+def test_no_material(tmp_path):
+    case = collision(tmp_path/"case")
+    share(case)
+    case.dictionary("constant/solidProperties", {"b1": RUBBER, "b2": RUBBER})
+    message = refused(case)
+    for part in ("solidProperties", "No entry fits region 'b3'", "(b1 b2)",
+                 "constant/b3/mechanicalProperties"):
+        assert part in message, part
+
+
+def test_entry_without_region(tmp_path):
+    case = collision(tmp_path/"case")
+    share(case)
+    case.dictionary("constant/solidProperties",
+                    {'"b.*"': RUBBER, "disc": RUBBER})
+    message = refused(case)
+    assert "Keyword 'disc' fits no region" in message
+    assert "(b1 b2 b3)" in message
+
+
+def test_entry_no_dictionary(tmp_path):
+    case = collision(tmp_path/"case")
+    share(case)
+    case.dictionary("constant/solidProperties", {'"b.*"': RUBBER, "b2": 1})
+    assert "Keyword 'b2' is not a dictionary" in refused(case)
+
+
+def test_shared_patches_are_checked(tmp_path):
+    """A wrong type in the shared pointU names that file."""
+    case = collision(tmp_path/"case")
+    share(case)
+    file = case.path/"0/pointU"
+    file.write_text(file.read_text().replace("type traction;",
+                                             "type zeroGradient;"))
+    message = refused(case)
+    assert "zeroGradient" in message and "0/pointU" in message
+
+
+def place(case, ranks, method="manual"):
+    """decomposePar's dictionaries; what placeRegions does and says."""
+    for region in ("", *NAMES):
+        case.dictionary(f"system/{region}/decomposeParDict", {
+            "numberOfSubdomains": ranks, "method": method,
+            "manualCoeffs": {"dataFile": "ranks"}})
+    return execute(["placeRegions"], case.path)
+
+
+def test_whole_regions_on_ranks(tmp_path, figures):
+    """Two ranks for three bodies in a row: neighbours together, and the same
+    motion as on one rank."""
+    case = collision(tmp_path/"serial").run()
+    shared = collision(tmp_path/"case")
+    done = place(shared, 2)
+    assert done.returncode == 0, done.stdout
+    assert "Rank 1: 1 regions, 9 cells" in done.stdout \
+        or "Rank 1: 2 regions, 18 cells" in done.stdout
+    checked(["decomposePar", "-allRegions"], shared.path)
+    cells = []
+    for rank in range(2):
+        for name in NAMES:
+            owner = (shared.path/f"processor{rank}/constant"/name
+                     / "polyMesh/owner").read_text(errors="replace")
+            cells.append(int(re.search(r"nCells:\s*(\d+)", owner)[1]))
+    cells = np.array(cells).reshape(2, 3)
+    assert (np.sort(cells, axis=0) == ((0, 0, 0), (9, 9, 9))).all()
+    assert cells[0, 0] != cells[0, 2], "ends of the row on one rank"
+    checked(["mpirun", "-np", "2", "vertexContactFoam", "-parallel"],
+            shared.path)
+    checked(["reconstructPar", "-allRegions"], shared.path)
+    with figures("whole regions on two ranks") as f:
+        for name in NAMES:
+            D = case.field("2", name, "pointD")
+            f.atMost(f"{name}: displacement, difference / largest",
+                     np.abs(shared.field("2", name, "pointD") - D).max()
+                     / np.abs(D).max(), 1e-12)
+
+
+@pytest.mark.parametrize("ranks, method, message", (
+    (2, "metis", "Keyword 'method' is metis"),
+    (4, "manual", "Keyword 'numberOfSubdomains' is 4"),
+))
+def test_place_regions_refuses(tmp_path, ranks, method, message):
+    done = place(collision(tmp_path/"case"), ranks, method)
+    assert done.returncode and message in done.stdout
