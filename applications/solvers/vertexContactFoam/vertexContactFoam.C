@@ -132,7 +132,7 @@ int main(int argc, char *argv[])
         solids.finishStep();
         solids.log();
 
-        solids.write();
+        solids.writeIfDue();
     }
 
     solids.reportCost(Info);

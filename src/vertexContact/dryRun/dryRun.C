@@ -184,7 +184,8 @@ void Foam::dryRun(solidSystem& solids, Time& runTime, OSstream& os)
         {
             os  << "    " << readingSeconds + steps*(1 + more)*perStep
                 << " s if the stable step goes on falling: by "
-                << 100*(1 - solids.timeStepLimit()/stable) << " % in the trial" << nl;
+                << 100*(1 - solids.timeStepLimit()/stable)
+                << " % in the trial" << nl;
         }
         os  << "    without the time to write";
         if (solids.control().fittedInterval() < GREAT)
@@ -194,7 +195,8 @@ void Foam::dryRun(solidSystem& solids, Time& runTime, OSstream& os)
                    (
                        std::floor
                        (
-                           (end - startOfRun)/solids.control().fittedInterval() + 1e-6
+                           (end - startOfRun)
+                          /solids.control().fittedInterval() + 1e-6
                        )
                    )
                 << " times";

@@ -4,8 +4,8 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 -------------------------------------------------------------------------------
 Description
-    The paper's integrators (timeIntegrator), Algorithm 2: stages that are each an
-    evaluation and an update.
+    The paper's integrators (timeIntegrator), Algorithm 2: stages that are each
+    an evaluation and an update.
 
 \*---------------------------------------------------------------------------*/
 

@@ -68,7 +68,7 @@ const Foam::word& Foam::solidSystem::type() const
 }
 
 
-void Foam::solidSystem::write()
+void Foam::solidSystem::writeIfDue()
 {
     if (relaxation_.valid() && relaxation_->done())
     {

@@ -178,7 +178,10 @@ void Foam::solidSystem::evaluateInBlocks(const scalar time, const bool moved)
             const scalar stable = stableStep();
             const scalar step =
                 adjusts ? control_.maxCo()*stable : runTime_.deltaTValue();
-            const stepRatios::ratios r(ratios_->of(step, control_.maxCo()*stable_));
+            const stepRatios::ratios r
+            (
+                ratios_->of(step, control_.maxCo()*stable_)
+            );
             forAll(blocks, k) blocks[k] = 0.5*step/r.steps[k];
             solve(0.5*step/r.most);
         }
