@@ -10,7 +10,7 @@ Description
 
 #include "compat.H"
 
-#if OPENFOAM < 2112
+#ifdef vertexContactOwnDigest
 
 #include "OStringStream.H"
 #include "SHA1.H"
