@@ -9,7 +9,7 @@ import pytest
 
 from caseTools import (DEFAULT, Case, checked, contents, differingFiles,
                        execute, timeFolders)
-from smallCases import RUBBER, Body, SmallCase, condition
+from smallCases import RUBBER, Body, SmallCase, condition, coulomb
 
 STIFF = {**RUBBER, "E": 4}
 NAMES = "b1", "b2", "b3"
@@ -29,7 +29,7 @@ def collision(folder):
         for i, name in enumerate(NAMES)]
     return SmallCase(
         folder, bodies, 2.0, preset=DEFAULT, functions=("contactForces",),
-        interfaces={"all": {"surfaces": "all", "law": {"type": "frictionless"}}})
+        interfaces={"all": {"surfaces": "all", "law": coulomb(0.2)}})
 
 
 def share(case):

@@ -65,7 +65,9 @@ int main(int argc, char *argv[])
         "Reads system/controlDict, constant/regionProperties, "
         "constant/contactProperties, constant/g, and of each region "
         "constant/<region>/polyMesh, mechanicalProperties and bodyForces, "
-        "system/<region>/fvSchemes and 0/<region>/pointU.\n"
+        "system/<region>/fvSchemes and 0/<region>/pointU, or instead of the "
+        "last four constant/solidProperties and bodyForces, system/fvSchemes "
+        "and 0/pointU.\n"
         "The options -list... say what may be written there; "
         "tutorials/reference and the headers of the classes say more."
     );

@@ -551,7 +551,7 @@ void Foam::solidBody::visitContactFields(const Use& use) const
             "contactGap", dimLength,
             [&](const label a) { return gap[a] < 0.1*GREAT ? gap[a] : 0; }
         );
-        if (contact_.slide.size())
+        if (contact_.slides)
         {
             use
             (
@@ -618,7 +618,7 @@ Foam::wordList Foam::solidBody::fieldNames() const
     if (hasContact_)
     {
         names.append({"contactStatus", "contactTraction", "contactGap"});
-        if (contact_.slide.size()) names.append("contactSlide");
+        if (contact_.slides) names.append("contactSlide");
     }
     return wordList(names);
 }

@@ -489,7 +489,8 @@ void Foam::solidBody::addContactForces()
 
 void Foam::solidBody::rememberSlide()
 {
-    if (contact_.slide.size()) return;
+    if (contact_.slides) return;
+    contact_.slides = true;
     contact_.slide.setSize(dual_.nNodes(), vector::zero);
     contact_.slideSums.setSize(5*dual_.nNodes(), Zero);
     const auto slide = readIfPresent<vector>("contactSlide", dimLength);
@@ -506,7 +507,7 @@ void Foam::solidBody::rememberSlide()
 
 void Foam::solidBody::finishSlide()
 {
-    if (contact_.slide.empty()) return;
+    if (!contact_.slides) return;
     dual_.sharing().sum(contact_.slideSums.data(), 5);
     for (const label a : contactNodes_)
     {
