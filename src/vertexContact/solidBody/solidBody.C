@@ -27,23 +27,6 @@ namespace
 
 using namespace Foam;
 
-autoPtr<materialModel> readMaterial
-(
-    const medianDual& dual,
-    const schemeOptions& options
-)
-{
-    const dictionary dict(regionFiles::material(dual.mesh()));
-    if (rigidMaterial::describedBy(dict))
-    {
-        return autoPtr<materialModel>
-        (
-            new rigidMaterial(rigidMass(dict, dual).density)
-        );
-    }
-    return materialModel::New(dict, options.jacobian);
-}
-
 bool isVariational(const schemeOptions& options)
 {
     return options.scheme == schemeType::variational;
@@ -316,7 +299,7 @@ Foam::solidBody::solidBody
     ),
     options_(regionFiles::schemes(mesh_), defaults),
     dual_(mesh_, options_.cells),
-    material_(readMaterial(dual_, options_)),
+    material_(readMaterial()),
     pointUFile_(regionFiles::velocityFile(mesh_)),
     pointU_
     (
@@ -564,9 +547,8 @@ Foam::vector Foam::solidBody::currentArea
 }
 
 
-Foam::symmTensor Foam::solidBody::CauchyStress(const label node) const
+Foam::FixedList<Foam::label, 3> Foam::solidBody::allDirections() const
 {
-    // Solution directions first, then those that are left out
     FixedList<label, 3> dir(dual_.directions());
     label next = dual_.nDim();
     for (label c = 0; c < 3; ++c)
@@ -578,7 +560,27 @@ Foam::symmTensor Foam::solidBody::CauchyStress(const label node) const
         }
         if (!used) dir[next++] = c;
     }
+    return dir;
+}
 
+
+Foam::tensor Foam::solidBody::inSpace(const tensor& local) const
+{
+    const FixedList<label, 3> dir(allDirections());
+    tensor T(Zero);
+    for (label i = 0; i < 3; ++i)
+    {
+        for (label j = 0; j < 3; ++j)
+        {
+            T[3*dir[i] + dir[j]] = local[3*i + j];
+        }
+    }
+    return T;
+}
+
+
+Foam::symmTensor Foam::solidBody::CauchyStress(const label node) const
+{
     tensor local(material_->CauchyStress(data_.state, node));
     if (x_.valid() && x_->smoothed && evaluated_)
     {
@@ -589,17 +591,9 @@ Foam::symmTensor Foam::solidBody::CauchyStress(const label node) const
               - data_.W[node*data_.strideW + dual_.nDim()]
             )*tensor(tensor::I);
     }
-    tensor sigma(Zero);
-    for (label i = 0; i < 3; ++i)
-    {
-        for (label j = 0; j < 3; ++j)
-        {
-            sigma[3*dir[i] + dir[j]] = local[3*i + j];
-        }
-    }
 
     // J sigma = P F^T is symmetric up to the drift of H and J
-    return symm(sigma);
+    return symm(inSpace(local));
 }
 
 
@@ -865,7 +859,13 @@ Foam::scalar Foam::solidBody::largestGradient() const
     scalar largest = 0;
     for (label a = 0; a < dual_.nNodes(); ++a)
     {
-        largest = max(largest, magSqr(deformationGradient(a) - tensor::I));
+        // With the initial stretch, as far as strains are small
+        tensor gradient(deformationGradient(a) - tensor::I);
+        if (material_->initial().on())
+        {
+            gradient += inSpace(material_->initial().value(a)) - tensor::I;
+        }
+        largest = max(largest, magSqr(gradient));
     }
     return std::sqrt(largest);
 }

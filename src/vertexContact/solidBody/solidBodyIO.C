@@ -5,6 +5,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "solidBody.H"
+#include "regionFiles.H"
+#include "rigidMaterial.H"
 #include "dictionaryCheck.H"
 #include "fileError.H"
 #include "writtenTimes.H"
@@ -91,6 +93,89 @@ void Foam::solidBody::writeField
     }
     field.write();
     writtenTimes::check(field);
+}
+
+
+Foam::autoPtr<Foam::materialModel> Foam::solidBody::readMaterial() const
+{
+    const dictionary dict(regionFiles::material(mesh_));
+    autoPtr<materialModel> law;
+    if (rigidMaterial::describedBy(dict))
+    {
+        law.reset(new rigidMaterial(rigidMass(dict, dual_).density));
+    }
+    else
+    {
+        law = materialModel::New(dict, options_.jacobian);
+    }
+    law->setInitialStretch(readInitialStretch(*law));
+    return law;
+}
+
+
+Foam::initialStretch Foam::solidBody::readInitialStretch
+(
+    const materialModel& law
+) const
+{
+    const auto field = readIfPresent<tensor>("F0", dimless);
+    if (!field.valid()) return initialStretch();
+
+    const fileName file(field->objectPath());
+    if (options_.scheme != schemeType::variational)
+    {
+        FatalFileErrorInFunction(file)
+            << "The field F0, an initial stretch, does not go with the scheme "
+            << "of preset paper" << exit(FatalIOError);
+    }
+    if (!law.takesInitialStretch())
+    {
+        FatalFileErrorInFunction(file)
+            << "The field F0, an initial stretch, does not go with type "
+            << law.type() << " of region '" << name_
+            << "': it is one of elastic laws." << nl
+            << (
+                   law.plastic()
+                 ? "Give the initial state of a plastic one by the field CpInv"
+                 : "Remove the field"
+               )
+            << exit(FatalIOError);
+    }
+
+    const label d = dual_.nDim();
+    const FixedList<label, 3> dir(allDirections());
+
+    tensorField local(dual_.nNodes());
+    forAll(local, a)
+    {
+        const tensor& F0 = field->primitiveField()[dual_.nodePoint()[a]];
+        const char* wrong = det(F0) > 0 ? nullptr : "its determinant must be "
+            "positive";
+        for (label i = 0; i < 3; ++i)
+        {
+            for (label j = 0; j < 3; ++j)
+            {
+                local[a][3*i + j] = F0[3*dir[i] + dir[j]];
+                if (i != j && max(i, j) >= d && local[a][3*i + j] != 0)
+                {
+                    wrong = "directions that are left out must not be sheared";
+                }
+            }
+        }
+        if (d == 1 && local[a].yy() != local[a].zz())
+        {
+            wrong = "both directions that are left out must have the same "
+                "stretch";
+        }
+        if (wrong)
+        {
+            FatalFileErrorInFunction(file)
+                << "Keyword 'internalField': F0 is " << F0 << " at "
+                << mesh_.points()[dual_.nodePoint()[a]] << ": " << wrong
+                << exit(FatalIOError);
+        }
+    }
+    return initialStretch(local, d);
 }
 
 
@@ -454,6 +539,19 @@ void Foam::solidBody::visitFields(const Use& use) const
         );
     }
 
+    if (material_->initial().on())
+    {
+        use
+        (
+            tensor::zero,
+            "F0", dimless,
+            [&](const label a)
+            {
+                return inSpace(material_->initial().value(a));
+            }
+        );
+    }
+
     if (material_->plastic())
     {
         use
@@ -792,6 +890,7 @@ void Foam::solidBody::report(Ostream& os) const
         << ", contact " << onOff(hasContact_)
         << ", plasticity " << onOff(material_->plastic());
     if (damping_.valid()) os << ", damping on";
+    if (material_->initial().on()) os << ", initial stretch on";
     if (material_->plastic())
     {
         os  << ", adiabatic heating "

@@ -145,6 +145,10 @@ Foam::scalar Foam::solidBody::undeformedTimeScale()
     data_.state.F = start.F;
     data_.state.H = start.H;
     data_.waveFactor = scalar(1);
+    if (stretchedWaves_ && material_->initial().on())
+    {
+        material_->waveFactors(start, data_.waveFactor);
+    }
 
     variational_->sumWaves(data_, *x_);
     dual_.sharing().sum

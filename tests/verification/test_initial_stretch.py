@@ -1,0 +1,328 @@
+"""Bodies that were stretched before they had the shape of their mesh, by the
+field F0: stress in closed form, springing back, waves, the same body meshed
+before and after the stretch, restart and ranks, and what is refused."""
+
+import shutil
+
+import numpy as np
+import pytest
+
+from caseTools import DEFAULT, checked, contents, differingFiles
+from smallCases import Body, SmallCase, condition, largest
+
+E, NU, RHO = 1.0, 0.3, 1.0
+MU, KAPPA = E/(2*(1 + NU)), E/(3*(1 - 2*NU))
+XI = 0.05
+SPEED = np.sqrt((KAPPA + 4*MU/3)/RHO)
+LAWS = {"linearElastic": {}, "neoHookean": {}, "MooneyRivlin": {"xi": XI}}
+HELD = condition("fixedVelocity", velocity=(0, 0, 0))
+SIDES = ("left", "right", "bottom", "top", "back", "front")
+
+
+def law(kind, **more):
+    return {"type": kind, "rho": RHO, "E": E, "nu": NU, **LAWS[kind], **more}
+
+
+def energy(kind, F):
+    """Per volume of the natural state."""
+    if kind == "linearElastic":
+        e = (F + F.T)/2 - np.eye(3)
+        return MU*np.sum(e*e) + (KAPPA - 2*MU/3)/2*np.trace(e)**2
+    J, I1 = np.linalg.det(F), np.sum(F*F)
+    W = KAPPA/2*(J - 1)**2
+    if kind == "neoHookean":
+        return W + MU/2*(I1*J**(-2/3) - 3)
+    H = J*np.linalg.inv(F).T
+    zeta = (MU - 3*np.sqrt(3)*XI)/2
+    return (W + zeta*(I1*J**(-2/3) - 3)
+            + XI*(np.sum(H*H)**1.5/J**2 - 3*np.sqrt(3)))
+
+
+def cauchy(kind, F):
+    """Stress of a deformation from the natural state."""
+    one = np.eye(3)
+    if kind == "linearElastic":
+        e = (F + F.T)/2 - one
+        return 2*MU*e + (KAPPA - 2*MU/3)*np.trace(e)*one
+    b, J = F @ F.T, np.linalg.det(F)
+    I1 = np.trace(b)
+    p = KAPPA*(J - 1)*one
+    deviator = b - I1/3*one
+    if kind == "neoHookean":
+        return p + MU*J**(-5/3)*deviator
+    I2 = (I1**2 - np.trace(b @ b))/2
+    zeta = (MU - 3*np.sqrt(3)*XI)/2
+    return (p + 2*zeta*J**(-5/3)*deviator + XI*np.sqrt(I2)/J**3*(
+        3*(I1*b - b @ b) - 2*I2*one))
+
+
+def components(S):
+    """As OpenFOAM writes a symmetric tensor."""
+    return S[[0, 0, 0, 1, 1, 2], [0, 1, 2, 1, 2, 2]]
+
+
+def stretch(case, body, F0):
+    """Give a body its F0, one for all or that of each point."""
+    X = case.points(body.name)
+    F = np.array([F0(x) for x in X]) if callable(F0) else np.tile(
+        np.asarray(F0, dtype=float), (len(X), 1, 1))
+    case.writePointField(body, "F0", "[0 0 0 0 0 0 0]", F.reshape(-1, 9),
+                         "tensor")
+
+
+def make(folder, body, F0, endTime, **control):
+    case = SmallCase(folder, body, endTime, preset=DEFAULT, control=control)
+    stretch(case, body, F0)
+    return case
+
+
+STRETCHES = {
+    1: ((1.3, 0, 0), (0, 0.9, 0), (0, 0, 0.9)),
+    2: ((1.3, 0.2, 0), (-0.1, 0.8, 0), (0, 0, 1.1)),
+    3: ((1.3, 0.2, 0.1), (-0.1, 0.8, 0.05), (0.15, -0.2, 1.1))}
+
+
+@pytest.mark.parametrize("dimensions", STRETCHES)
+@pytest.mark.parametrize("kind", LAWS)
+def test_clamped_block(tmp_path, figures, kind, dimensions):
+    """It is at rest, with the stress and the energy of the closed form."""
+    F0 = np.array(STRETCHES[dimensions])
+    body = Body(cells=(4, 3, 3)[:dimensions], material=law(kind),
+                size=(1, 0.75, 0.75)[:dimensions] + (1,)*(3 - dimensions),
+                sides=dict.fromkeys(SIDES[:2*dimensions], HELD))
+    case = make(tmp_path, body, F0, 3.0, maxCo=0.9).run()
+    sigma = cauchy(kind, F0)
+    sigma = (sigma + sigma.T)/2
+    J0 = 1 if kind == "linearElastic" else np.linalg.det(F0)
+    W = energy(kind, F0)/J0*np.prod(body.size)
+    e = case.energies
+    with figures(f"clamped block, {kind}, {dimensions}D") as f:
+        f.atMost("stress less the closed form / largest", largest(
+            case.at("sigma") - components(sigma))/largest(sigma), 1e-13)
+        f.atMost("strain energy / closed form less 1",
+                 largest(e["total:strain"]/W - 1), 1e-13)
+        f.atMost("velocity / speed of waves", largest(case.at("pointU"))/SPEED,
+                 1e-13)
+        f.atMost("F - I", largest(case.at("F") - np.eye(3).ravel()), 1e-13)
+        f.atMost("F0 as it is written, less F0", largest(
+            case.at("F0") - F0.ravel()), 0)
+
+
+@pytest.mark.parametrize("kind", LAWS)
+def test_springs_back(tmp_path, figures, kind):
+    """A damped free block comes to rest where it has no stress: F F0 is a
+    rotation, or F + F0 - I is I."""
+    F0 = np.array(((1.25, 0.1, 0), (0.1, 0.85, 0), (0, 0, 1)))
+    body = Body(cells=(6, 6), material=law(kind))
+    case = make(tmp_path, body, F0, 40.0, maxCo=0.9, damping={
+        "body": {"coefficient": 1.5}}).run()
+    F = case.at("F").reshape(-1, 3, 3)
+    left = F @ F0
+    if kind == "linearElastic":
+        left = F + F0 - np.eye(3)
+    with figures(f"free block springs back, {kind}") as f:
+        f.atMost("Cauchy-Green tensor from the natural state, less I",
+                 largest(left.transpose(0, 2, 1) @ left - np.eye(3)), 1e-8)
+        f.atLeast("F - I", largest(F - np.eye(3)), 0.1)
+        f.atMost("stress / at first", largest(case.at("sigma"))
+                 / largest(cauchy(kind, F0)), 1e-8)
+        f.atMost("strain energy / at first", case.energies["total:strain"][-1]
+                 / case.energies["total:strain"][0], 1e-14)
+
+
+@pytest.mark.parametrize("s", (0.7, 1.5))
+@pytest.mark.parametrize("kind", LAWS)
+def test_waves_of_a_stretched_bar(tmp_path, figures, kind, s):
+    """The standing wave of a bar that is held at both ends, in its length that
+    it has as it is meshed: c^2 = d2W/dl^2 s^2/(J0 rho), and the density is that
+    of the mesh."""
+    lateral = 0.9
+    l = s if kind != "linearElastic" else 1
+    J0 = s*lateral**2 if kind != "linearElastic" else 1
+    h = 1e-3
+
+    def W(x):
+        return energy(kind, np.diag((x, lateral, lateral)))
+    modulus = (W(s + h) - 2*W(s) + W(s - h))/h**2
+    c = np.sqrt(modulus*l**2/J0/RHO)
+    v = 1e-6
+    body = Body(cells=(40,), material=law(kind),
+                velocity=lambda X: v*np.sin(np.pi*X[:, :1])*(1, 0, 0),
+                sides={"left": HELD, "right": HELD})
+    time = 2.25*2/c
+    case = make(tmp_path, body, np.diag((s, lateral, lateral)), time,
+                maxCo=0.3).run()
+    X, U = case.X()[:, 0], case.at("pointU")[:, 0]
+    mode = np.sin(np.pi*X)
+    amplitude = np.sum(mode*U)/np.sum(mode*mode)
+    with figures(f"standing wave, {kind}, stretch {s}") as f:
+        # v cos(pi c t) goes through 0 there
+        f.within("speed / theory", 1 + amplitude/v/(np.pi*c*time), 1, 1e-3)
+        f.atLeast("displacement / theory",
+                  largest(case.at("pointD"))/(v/np.pi/c), 0.98)
+
+
+@pytest.mark.parametrize("kind", ("neoHookean", "MooneyRivlin"))
+def test_meshed_before_and_after(tmp_path, figures, kind):
+    """A block that is let go in a stretched state: meshed without stress, and
+    displaced; or meshed as it is let go, with F0 and the density that it has
+    there. Both with the same nodes, cell by cell."""
+    A = np.array((1.3, 0.9, 1.0))
+    J0 = np.prod(A)
+    sides = {"left": "symmetryPlane", "bottom": "symmetryPlane"}
+    time, e, place, step = 2.0, {}, {}, {}
+    for name in "before", "after":
+        after = name == "after"
+        body = Body(cells=(12, 12), size=tuple(A) if after else (1, 1, 1),
+                    material=law(kind, rho=RHO/J0 if after else RHO),
+                    sides=sides, displacement=None if after else
+                    lambda X: X*(A - 1))
+        case = SmallCase(tmp_path/name, body, time, preset=DEFAULT,
+                         control={"maxCo": 0.45})
+        if after:
+            stretch(case, body, np.diag(A))
+        case.run()
+        e[name] = case.energies
+        x = case.X() + case.at("pointD")
+        place[name] = x[case.X()[:, 2] < 0.5]
+        step[name] = np.diff(case.energies["Time"]).max()
+    moved = largest(place["before"] - case.X()[case.X()[:, 2] < 0.5])
+    with figures(f"meshed before and after the stretch, {kind}") as f:
+        f.within("strain energy at first", e["after"]["total:strain"][0]
+                 / e["before"]["total:strain"][0], 1, 1e-12)
+        f.within("kinetic energy at the end", e["after"]["total:kinetic"][-1]
+                 / e["before"]["total:kinetic"][-1], 1, 0.01)
+        f.atLeast("largest displacement", moved, 0.2)
+        f.atMost("largest difference of the places / that",
+                 largest(place["after"] - place["before"])/moved, 0.01)
+
+
+@pytest.mark.parametrize("s", (0.6, 2.0))
+@pytest.mark.parametrize("kind, nu", (("neoHookean", 0.3),
+                                      ("neoHookean", 0.49),
+                                      ("MooneyRivlin", 0.3)))
+def test_released_at_once(tmp_path, figures, kind, nu, s):
+    """Strongly stretched blocks that are let go, with the usual share of the
+    stable step: the bound of the step is safe, and the energy is kept."""
+    body = Body(cells=(4, 4, 4), material={**law(kind), "nu": nu})
+    case = make(tmp_path, body, np.diag((s, s**-0.5, s**-0.5)), 8.0,
+                maxCo=0.9).run()
+    e = case.energies
+    first = e["total:strain"][0]
+    total = case.totalEnergy + e["total:numericalDissipation"]
+    with figures(f"let go, {kind}, nu {nu}, stretch {s}") as f:
+        f.atLeast("largest kinetic energy / strain energy at first",
+                  e["total:kinetic"].max()/first, 0.3)
+        f.atMost("energy and dissipation, largest change / at first",
+                 largest(total - first)/first, 0.03)
+        f.atMost("momentum", largest(case.momentumOf()), 1e-12)
+
+
+EXPRESSION = """
+expressions
+(
+    stretch
+    {
+        field F0;
+        keepPatches yes;
+        variables ("s = point(1) + point(0.2)*sin(point(3)*pts().x())");
+        expression
+        #{
+            tensor
+            (
+                s, point(0.1)*pts().y(), point(0),
+                point(0), point(1)/s, point(0),
+                point(0), point(0), point(1.05)
+            )
+        #};
+    }
+);
+"""
+
+
+def expressed(folder, nu=0.3):
+    """A block whose F0 varies as no motion does, set by setExprFields."""
+    body = Body(cells=(8, 8), material={**law("neoHookean"), "nu": nu},
+                sides={"left": HELD})
+    case = make(folder, body, np.eye(3), 2.0, writeInterval=1.0, maxCo=0.9)
+    case.write("system/body/setExprFieldsDict", "dictionary", EXPRESSION)
+    checked(["setExprFields", "-region", "body"], case.path)
+    return case
+
+
+@pytest.mark.parametrize("nu", (0.3, 0.49))
+def test_expression_ranks_and_restart(tmp_path, figures, nu):
+    """Two ranks differ by round-off; a run that was stopped goes on to the last
+    bit, with the F0 of the time that it goes on from."""
+    one = expressed(tmp_path/"one", nu).run()
+    two = expressed(tmp_path/"two", nu).runParallel(2)
+    x, y = one.X()[:, 0], one.X()[:, 1]
+    s, o = 1 + 0.2*np.sin(3*x), np.zeros_like(x)
+    F0 = np.stack((s, 0.1*y, o, o, 1/s, o, o, o, o + 1.05), axis=1)
+    expected = [contents(one/"2")]
+    shutil.copytree(one.path, tmp_path/"again")
+    for time in "0", "2":
+        shutil.rmtree(tmp_path/"again"/time)
+    checked(["vertexContactFoam"], tmp_path/"again")
+    with figures(f"F0 by an expression, nu {nu}: ranks and restart") as f:
+        f.atMost("F0 that is written less the expression",
+                 largest(one.at("F0") - F0), 1e-15)
+        f.atLeast("displacement", largest(one.at("pointD")), 0.05)
+        f.atMost("displacement, two ranks less one",
+                 largest(two.at("pointD") - one.at("pointD")), 1e-12)
+        f.atMost("F0, two ranks less one",
+                 largest(two.at("F0") - one.at("F0")), 0)
+        f.equal("files that differ after a restart", differingFiles(
+            expected, [contents(tmp_path/"again"/"2")]), [])
+        f.atLeast("files compared", len(expected[0]), 8)
+
+
+def test_scaled_to_a_step(tmp_path, figures):
+    """massScaling to a step knows the waves of the stretch."""
+    body = Body(cells=(6, 6), material=law("neoHookean"),
+                sides=dict.fromkeys(SIDES[:4], HELD))
+    step = 0.2
+    case = make(tmp_path, body, np.diag((1.6, 1, 1)), 18.0, maxCo=0.9,
+                massScaling={"body": {"step": step, "force": "yes"}}).run()
+    steps = np.diff(case.energies["Time"])
+    with figures("massScaling by the step, with F0") as f:
+        f.within("step / maxCo of what is asked for",
+                 np.median(steps)/(0.9*step), 1, 0.02)
+
+
+SHEARED = ((1, 0, 0.1), (0, 1, 0), (0, 0, 1))
+BAD = {
+    "paper": ({"preset": "paper"}, {}, np.eye(3), ("F0", "paper")),
+    "plastic": ({}, {"material": {
+        "type": "HenckyVonMises", "rho": 1, "E": 1, "nu": 0.3, "tauY": 1}},
+        np.eye(3), ("F0", "HenckyVonMises", "CpInv")),
+    "rigid": ({}, {"material": {"type": "rigid", "rho": 1}}, np.eye(3),
+              ("F0", "rigid")),
+    "turned inside out": ({}, {}, np.diag((-1, 1, 1)),
+                          ("F0", "internalField", "positive")),
+    "out of the plane": ({}, {}, SHEARED,
+                         ("F0", "internalField", "left out")),
+    "one direction": ({}, {"cells": (3,)}, np.diag((1, 1, 1.1)),
+                      ("F0", "internalField", "same stretch"))}
+
+
+@pytest.mark.parametrize("what", BAD)
+def test_bad_input(tmp_path, what):
+    control, of, F0, named = BAD[what]
+    of = {"cells": (3, 3), "material": law("neoHookean"), **of}
+    case = make(tmp_path, Body(**of), F0, 1.0, **control)
+    code, output = case.attempt()
+    assert code != 0, output
+    message = output[output.index("--> FOAM FATAL IO ERROR"):]
+    for name in named:
+        assert name in message, message
+    assert case.last == "0"
+
+
+def test_bad_dimensions(tmp_path):
+    case = make(tmp_path, Body(cells=(3, 3)), np.eye(3), 1.0)
+    case.replace("0/body/F0", r"dimensions \[0 0 0", "dimensions [0 1 0")
+    code, output = case.attempt()
+    assert code != 0, output
+    message = output[output.index("--> FOAM FATAL IO ERROR"):]
+    assert "F0" in message and "dimensions" in message, message
