@@ -325,6 +325,7 @@ def values(function, X):
 
 
 def listed(X):
-    rows = "\n".join(
-        "(" + " ".join(f"{x:.17g}" for x in row) + ")" for row in X)
+    """Rows of vectors or tensors, or of one number each, as a list."""
+    rows = (" ".join(f"{x:.17g}" for x in row) for row in X)
+    rows = "\n".join(rows if len(X[0]) == 1 else (f"({row})" for row in rows))
     return f"{len(X)}\n(\n{rows}\n)\n"

@@ -1,6 +1,6 @@
 """Runs that do not begin at rest and without stress: stress by the field CpInv
-of the start time, contact that is pressed by it, and the last time of another
-run."""
+of the start time, contact that is pressed by it, earlier flow, a temperature,
+and the last time of another run. F0 is in test_initial_stretch.py."""
 
 import shutil
 
@@ -136,6 +136,68 @@ PULLED = condition("fixedVelocity", velocity=(0.05, 0, 0), components=("x",))
 def pulled(folder, endTime, right=PULLED, **control):
     return SmallCase(folder, block(right=right, material=METAL), endTime,
                      preset=DEFAULT, control=control)
+
+
+def test_earlier_flow(tmp_path, figures):
+    """A metal that has flowed before, by epsilonPEq at the start, is one with
+    the yield stress that it has by then."""
+    before, right = 0.2, PULLED
+    runs = {}
+    for name in "flowed", "harder":
+        flowed = name == "flowed"
+        tauY = METAL["tauY"] + (0 if flowed else before*METAL["Hardening"])
+        body = block(right=right, material={**METAL, "tauY": tauY})
+        runs[name] = SmallCase(tmp_path/name, body, 2.0, preset=DEFAULT)
+        if flowed:
+            n = len(runs[name].points("body"))
+            runs[name].writePointField(
+                body, "epsilonPEq", "[0 0 0 0 0 0 0]",
+                np.full((n, 1), before), "scalar")
+        runs[name].run()
+    flowed, harder = runs["flowed"], runs["harder"]
+    new = harder.at("epsilonPEq")
+    with figures("epsilonPEq at the start") as f:
+        f.atLeast("new flow, largest", new.max(), 1e-3)
+        f.atMost("equivalent plastic strain less the earlier and the new",
+                 largest(flowed.at("epsilonPEq") - before - new), 1e-13)
+        f.atMost("stress, of flowed less that of harder / yield stress",
+                 largest(flowed.at("sigma") - harder.at("sigma"))
+                 / METAL["tauY"], 1e-11)
+        f.atMost("von Mises stress / yield stress, largest", np.max(
+            flowed.at("sigmaEq")/(METAL["tauY"] + METAL["Hardening"]
+                                  * flowed.at("epsilonPEq"))), 1 + 1e-12)
+
+
+def test_initial_temperature(tmp_path, figures):
+    """pointT at the start is taken instead of T0, to the last bit, and what is
+    hot yields earlier."""
+    hot = 800
+    heat = {"cp": 1e-4, "beta": 0.9}
+
+    def metal(T0):
+        return {"type": "HenckyVonMises", "rho": RHO, "E": E, "nu": NU,
+                "JohnsonCook": {"A": 0.02, "B": 0.1, "n": 1, "C": 0, "m": 1,
+                                "Tmelt": 1300, "Troom": 293},
+                "adiabaticHeating": {**heat, "T0": T0}}
+    runs = {}
+    for name, T0 in (("cold", 293), ("field", 293), ("keyword", hot)):
+        body = block(right=PULLED, material=metal(T0))
+        case = SmallCase(tmp_path/name, body, 1.5, preset=DEFAULT)
+        if name == "field":
+            n = len(case.points("body"))
+            case.writePointField(body, "pointT", "[0 0 0 1 0 0 0]",
+                                 np.full((n, 1), hot), "scalar")
+        runs[name] = case.run()
+    end = runs["field"].last
+    with figures("pointT at the start") as f:
+        f.equal("files that differ from those of T0", differingFiles(
+            [contents(runs["keyword"]/end)], [contents(runs["field"]/end)]), [])
+        f.atLeast("temperature, least", runs["field"].at("pointT").min(), hot)
+        f.atLeast("heat by the flow, largest [K]",
+                  runs["field"].at("pointT").max() - hot, 1)
+        f.atMost("von Mises stress, largest, hot / cold",
+                 runs["field"].at("sigmaEq").max()
+                 / runs["cold"].at("sigmaEq").max(), 0.8)
 
 
 def takeOver(case, first, time):

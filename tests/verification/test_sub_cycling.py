@@ -270,3 +270,68 @@ def test_oblique_impact_as_with_one_step(tmp_path, figures):
         f.falling("energy at the end, less by", energy)
         f.atMost("on the finest", energy[-1], 0.03)
         f.atMost("balance at the end", abs(e["total:balance"][-1])/start, 2e-3)
+
+
+def shortSteps(case):
+    """Steps of the stiff body in a common one, in the last message."""
+    return int(re.findall(r"now: .*\bstiff (\d+)", case.output)[-1])
+
+
+def test_scaled_mass(tmp_path, figures):
+    """massScaling with steps of their own is what a higher density is, to the
+    last bit; and what has the step of the others by it needs no short ones."""
+    cases = {}
+    for name, rho, control in (
+            ("own", 1, {}), ("denser", 4, {}),
+            ("scaled", 1, {"massScaling": {
+                "stiff": {"factor": 4, "force": "yes"}}})):
+        case = block(tmp_path/name, True, coulomb(0.3), **control)
+        case.set("constant/stiff/mechanicalProperties", {"rho": rho})
+        cases[name] = finished(case)
+    end = cases["own"].last
+    denser, scaled = (
+        {f"{region}/{file}": data for region in ("soft", "stiff")
+         for file, data in contents(cases[name]/end/region).items()}
+        for name in ("denser", "scaled"))
+    e = cases["scaled"].energies
+    first = e["total:kinetic"][0]
+
+    stepOf = {"stiff": {"step": 0.02, "force": "yes"}}
+    one = bars(tmp_path/"one", True, 50, massScaling=stepOf)
+    impulseOfBar = momentum(one)[1]
+    with figures("massScaling with steps of their own") as f:
+        f.equal("fields that differ from those of the density",
+                differingFiles([denser], [scaled]), [])
+        f.atLeast("fields compared", len(denser), 16)
+        f.within("short steps, own / scaled by 4", shortSteps(cases["own"])
+                 / shortSteps(cases["scaled"]), 2, 0.25)
+        f.atLeast("largest area of contact", max(
+            cases["scaled"].contact("blocks")["area"]), 0.1)
+        f.atMost("balance / kinetic energy at first",
+                 largest(e["total:balance"])/first, 0.02)
+        f.equal("short steps of a bar that has the step of the other",
+                shortSteps(one), 1)
+        f.atLeast("its momentum", impulseOfBar[-1], 1e-3)
+
+
+@pytest.mark.parametrize("ranks", (1, 2))
+def test_restart_with_scaled_mass(tmp_path, figures, ranks):
+    case = block(tmp_path/"case", True, coulomb(0.3), massScaling={
+        "stiff": {"factor": 3, "force": "yes"}})
+    run, folders = ["vertexContactFoam"], ["."]
+    if ranks > 1:
+        case.decompose(ranks)
+        run = ["mpirun", "-np", str(ranks), *run, "-parallel"]
+        folders = [f"processor{i}" for i in range(ranks)]
+    checked(run, case.path)
+    times = timeFolders(case/folders[0])
+    expected = [contents(case/folder/times[-1]) for folder in folders]
+    for folder in folders:
+        for time in times:
+            if float(time) > 0.6 + 1e-9:
+                shutil.rmtree(case/folder/time)
+    checked(run, case.path)
+    found = [contents(case/folder/times[-1]) for folder in folders]
+    with figures(f"steps of their own, scaled mass, {ranks} ranks") as f:
+        f.equal("files that differ", differingFiles(expected, found), [])
+        f.atLeast("files compared", len(expected[0]), 8)
