@@ -55,3 +55,30 @@ def test_container():
     commands = re.findall(r"\b((?:etc|tutorials|tests)/[\w/]*\w)", text)
     assert "tutorials/twoBarImpact/similar/Allrun" in commands
     assert [name for name in commands if not (root/name).exists()] == []
+
+
+def test_container_steps():
+    """Its steps are those of tests/releases/cleanRoot, in their order, and its
+    distribution is one in which all of those were run."""
+    container = (ETC/"Containerfile").read_text()
+    steps = {"apt": "apt-get update", "setup": "etc/setup",
+             "build": "./Allwmake -j", "units": "vertexContactUnitTests"}
+    cleanRoot = (root/"tests/releases/cleanRoot").read_text()
+    order = [name for name in re.findall(r"(?m)^step (\w+) ", cleanRoot)
+             if name in steps]
+    assert sorted(order) == sorted(steps)
+    commands = "\n".join(line for line in container.splitlines()
+                         if not line.startswith("#"))
+    places = []
+    for name in order:
+        command = steps[name].removeprefix("./")
+        assert command in cleanRoot
+        assert commands.count(steps[name]) == 1, steps[name]
+        places.append(commands.index(steps[name]))
+    assert places == sorted(places)
+    assert "LC_ALL=C.UTF-8" in cleanRoot and "LC_ALL=C.UTF-8" in commands
+
+    base = re.search(r"(?m)^FROM (\S+)$", commands)[1]
+    releases = (root/"tutorials/reference/releases.md").read_text()
+    row = re.search(rf"(?m)^\| {re.escape(base)} \|.*", releases)[0]
+    assert "not " not in row, row
