@@ -170,7 +170,7 @@ def test_module(tmp_path, variables):
     made = {str(file.relative_to(tmp_path)) for file in tmp_path.rglob("*")
             if file.is_file()}
     assert made == {"lib/libvertexContact.so", "bin/vertexContactFoam",
-                    "bin/checkContact", "bin/placeRegions"}
+                    "bin/checkContact", "bin/placeRegions", "bin/mapState"}
 
 
 @pytest.mark.parametrize("arguments, variables, code, reason", (

@@ -1,0 +1,264 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+-------------------------------------------------------------------------------
+Application
+    mapState
+
+Description
+    Gives a case the state that another case of the same bodies has at a time,
+    on any mesh of theirs: as one with more cells, to begin under a preload.
+
+    Of each region that both cases have, as far as the other has them: pointU,
+    with the boundary conditions of this case, pointD, F0, CpInv (with
+    determinant 1 again), epsilonPEq and pointT. They go from point to point
+    (pointMapping) in the reference configuration, that of the meshes as they
+    were made. The momentum, F, and what contact remembers are not mapped: the
+    solver makes the first two anew, and contact begins anew. Regions that only
+    this case has begin as they would.
+
+Usage
+    \b mapState <case> [-sourceTime <time>]
+
+    \table
+        Argument     | Description                              | Default
+        case         | the other case, not decomposed           | required
+        -sourceTime  | its time                                 | its last one
+    \endtable
+
+    Writes the fields to the time that controlDict starts from. Serial: before
+    decomposePar.
+
+    Throws FatalIOError if the other case has none of the regions or no pointU
+    at that time, and for points that are not near its mesh.
+
+SourceFiles
+    mapState.C
+    pointMapping.C
+
+\*---------------------------------------------------------------------------*/
+
+#include "argList.H"
+#include "Time.H"
+#include "localIOdictionary.H"
+#include "pointFields.H"
+#include "pointMapping.H"
+#include "regionFiles.H"
+#include "systemChecks.H"
+#include "dictionaryCheck.H"
+
+using namespace Foam;
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- What a field has to keep of its own: of CpInv the determinant
+template<class Type>
+void normalise(const word&, Field<Type>&)
+{}
+
+void normalise(const word& name, Field<symmTensor>& values)
+{
+    if (name != "CpInv") return;
+    for (symmTensor& C : values) C /= std::cbrt(det(C));
+}
+
+
+//- The values of a point field of the other mesh, in its own file
+template<class Type>
+bool readValues(const word& name, const polyMesh& mesh, Field<Type>& values)
+{
+    typedef GeometricField<Type, pointPatchField, pointMesh> pointFieldType;
+
+    IOobject io
+    (
+        name, mesh.time().timeName(), mesh,
+        IOobject::MUST_READ, IOobject::NO_WRITE, false
+    );
+    if (!dictionaryCheck::isThere<pointFieldType>(io)) return false;
+
+    // Boundary conditions of the other case are no matter of ours
+    const localIOdictionary dict(io, pointFieldType::typeName);
+    values = Field<Type>("internalField", dict, mesh.nPoints());
+    return true;
+}
+
+
+//- Map a field, if the other case has it. \return its name, or nothing
+template<class Type>
+word mapField
+(
+    const word& name,
+    const dimensionSet& dims,
+    const pointMapping& mapping,
+    const polyMesh& source,
+    const polyMesh& target
+)
+{
+    Field<Type> values;
+    if (!readValues(name, source, values)) return word();
+
+    GeometricField<Type, pointPatchField, pointMesh> field
+    (
+        IOobject
+        (
+            name, target.time().timeName(), target,
+            IOobject::NO_READ, IOobject::NO_WRITE, false
+        ),
+        pointMesh::New(target),
+        dimensioned<Type>(name, dims, Zero)
+    );
+    field.primitiveFieldRef() = mapping.map(values);
+    normalise(name, field.primitiveFieldRef());
+    field.write();
+    return name;
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
+
+int main(int argc, char *argv[])
+{
+    argList::addNote
+    (
+        "Gives the case the state of another case of the same bodies, on any "
+        "mesh"
+    );
+    argList::noParallel();
+    argList::noFunctionObjects();
+    argList::addArgument("case");
+    argList::addOption
+    (
+        "sourceTime", "time", "time of the other case, the last one by default"
+    );
+
+    #include "setRootCase.H"
+    #include "createTime.H"
+
+    fileName sourcePath(args[1]);
+    sourcePath.toAbsolute();
+    sourcePath.clean();
+    Time sourceTime
+    (
+        Time::controlDictName, sourcePath.path(), fileName(sourcePath.name()),
+        word("system"), word("constant"), false
+    );
+    const instantList times(sourceTime.times());
+    scalar wanted = times.last().value();
+    args.readIfPresent("sourceTime", wanted);
+    const label timei = Time::findClosestTimeIndex(times, wanted);
+    if
+    (
+        timei < 0
+     || mag(times[timei].value() - wanted) > 1e-9*max(scalar(1), mag(wanted))
+    )
+    {
+        FatalFileErrorInFunction(sourcePath)
+            << "Option '-sourceTime' is " << wanted << ": the case has no such "
+            << "time" << exit(FatalIOError);
+    }
+    sourceTime.setTime(times[timei], timei);
+
+    const wordList names(systemChecks::regionNames(runTime));
+    const wordList sourceNames(systemChecks::regionNames(sourceTime));
+    label nMapped = 0;
+    for (const word& name : names)
+    {
+        if (!sourceNames.found(name))
+        {
+            Info<< "Region " << name << ": not in the other case" << nl;
+            continue;
+        }
+        ++nMapped;
+        const polyMesh target
+        (
+            IOobject(name, runTime.timeName(), runTime, IOobject::MUST_READ)
+        );
+        const polyMesh source
+        (
+            IOobject
+            (
+                name, sourceTime.timeName(), sourceTime, IOobject::MUST_READ
+            )
+        );
+        const fileName sourceFile
+        (
+            sourceTime.path()/sourceTime.timeName()/name
+        );
+        const pointMapping mapping
+        (
+            target.points(), source, sourceFile/"pointU"
+        );
+
+        vectorField velocity;
+        if (!readValues("pointU", source, velocity))
+        {
+            FatalFileErrorInFunction(sourceFile)
+                << "There is no pointU" << exit(FatalIOError);
+        }
+        pointVectorField pointU
+        (
+            IOobject
+            (
+                "pointU", runTime.timeName(), target,
+                IOobject::NO_READ, IOobject::NO_WRITE, false
+            ),
+            pointMesh::New(target),
+            regionFiles::velocity(target)
+        );
+        pointU.primitiveFieldRef() = mapping.map(velocity);
+        pointU.write();
+
+        const auto map = [&](auto zero, const char* field, dimensionSet dims)
+        {
+            return mapField<decltype(zero)>
+            (
+                field, dims, mapping, source, target
+            );
+        };
+        DynamicList<word> done({word("pointU")});
+        for
+        (
+            const word& field :
+            {
+                map(vector(Zero), "pointD", dimLength),
+                map(tensor(Zero), "F0", dimless),
+                map(symmTensor(Zero), "CpInv", dimless),
+                map(scalar(0), "epsilonPEq", dimless),
+                map(scalar(0), "pointT", dimTemperature)
+            }
+        )
+        {
+            if (field.size()) done.append(field);
+        }
+        Info<< "Region " << name << ": "
+            << dictionaryCheck::listed(done).c_str() << " from "
+            << source.nPoints() << " to " << target.nPoints() << " points";
+        if (mapping.nOutside())
+        {
+            Info<< ", " << mapping.nOutside() << " of them outside, by up to "
+                << mapping.furthest() << " m";
+        }
+        Info<< nl;
+    }
+    if (!nMapped)
+    {
+        FatalFileErrorInFunction(sourcePath)
+            << "The case has none of the regions "
+            << dictionaryCheck::listed(names).c_str() << ". It has "
+            << dictionaryCheck::listed(sourceNames).c_str()
+            << exit(FatalIOError);
+    }
+    Info<< nl << "Wrote time " << runTime.timeName() << " from that of "
+        << sourceTime.timeName() << nl << nl << "End" << nl << endl;
+
+    return 0;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,117 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "pointMapping.H"
+#include "meshSearch.H"
+#include "tetIndices.H"
+#include "treeDataFace.H"
+#include "indexedOctree.H"
+#include "fileError.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- Weights of points whose sum is 1 and whose mean is a place, as nearly equal
+//  as can be
+scalarList linearWeights
+(
+    const pointField& points,
+    const labelList& of,
+    const point& place
+)
+{
+    vector mean(Zero);
+    for (const label p : of) mean += points[p]/of.size();
+    symmTensor spread(Zero);
+    for (const label p : of) spread += sqr(points[p] - mean);
+    const vector slope(inv(spread) & (place - mean));
+
+    scalarList weights(of.size());
+    forAll(of, k)
+    {
+        weights[k] = scalar(1)/of.size() + (slope & (points[of[k]] - mean));
+    }
+    return weights;
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::pointMapping::pointMapping
+(
+    const pointField& target,
+    const polyMesh& source,
+    const fileName& sourceFile
+)
+:
+    points_(target.size()),
+    weights_(target.size())
+{
+    const meshSearch search(source);
+    const pointField& points = source.points();
+
+    forAll(target, i)
+    {
+        const label inside = search.findCell(target[i], -1, true);
+        const label celli =
+            inside >= 0 ? inside : search.findNearestCell(target[i], -1, true);
+        const labelList& cell = source.cellPoints()[celli];
+        points_[i] = cell;
+
+        if (inside >= 0)
+        {
+            // Weights of the centre of the cell, and of points of one face
+            label facei, pointi;
+            source.findTetFacePt(celli, target[i], facei, pointi);
+            if (facei < 0)
+            {
+                // Between its tetrahedra, by round-off
+                weights_[i] = linearWeights(points, cell, target[i]);
+                continue;
+            }
+            const tetIndices tet(celli, facei, pointi);
+            barycentric in;
+            tet.tet(source).pointToBarycentric(target[i], in);
+            weights_[i] =
+                linearWeights(points, cell, source.cellCentres()[celli]);
+            for (scalar& w : weights_[i]) w *= in.a();
+            const triFace corners(tet.faceTriIs(source));
+            forAll(corners, k)
+            {
+                weights_[i][cell.find(corners[k])] += in[k + 1];
+            }
+            continue;
+        }
+
+        const scalar length = boundBox(pointField(points, cell), false).mag();
+        const pointIndexHit surface
+        (
+            search.boundaryTree().findNearest(target[i], sqr(GREAT))
+        );
+        const scalar off = mag(surface.hitPoint() - target[i]);
+        if (off > length)
+        {
+            FatalFileErrorInFunction(sourceFile)
+                << "Point " << target[i] << " of the case is " << off
+                << " m from this mesh, more than its nearest cell is long: "
+                << "both must be of the same body, in the same place"
+                << exit(FatalIOError);
+        }
+        // But for round-off
+        if (off > 1e-9*length) ++nOutside_;
+        furthest_ = max(furthest_, off);
+        weights_[i] = linearWeights(points, cell, target[i]);
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,146 @@
+"""mapState: a case begins with the state of another one, on another mesh."""
+
+import numpy as np
+import pytest
+
+from caseTools import DEFAULT, checked, execute
+from smallCases import Body, SmallCase, condition, distorted, largest, polar
+
+HELD = condition("fixedVelocity", velocity=(0, 0, 0))
+MIRRORS = {"left": "symmetryPlane", "right": "symmetryPlane"}
+
+
+def make(folder, body, endTime=1.0, **more):
+    return SmallCase(folder, body, endTime, preset=DEFAULT, control={
+        "maxCo": 0.9, **more.pop("control", {})}, **more)
+
+
+def mapped(source, case, *options):
+    case.output = checked(["mapState", str(source.path), *options], case.path)
+    return case
+
+
+SLOPE = np.array(((0.1, 0.02, 0), (-0.03, -0.05, 0), (0, 0, 0)))
+SLOPE3 = SLOPE + np.array(((0, 0, 0.04), (0, 0, -0.01), (0.02, 0.03, 0.06)))
+
+
+@pytest.mark.parametrize("dimensions", (1, 2, 3))
+def test_linear_fields(tmp_path, figures, dimensions):
+    """They are kept to round-off, from any mesh to any other one."""
+    slope = np.zeros((3, 3))
+    slope[:dimensions, :dimensions] = SLOPE3[:dimensions, :dimensions]
+
+    def body(cells, amplitude, **fields):
+        moved = distorted(amplitude, dimensions=dimensions)
+        return Body(cells=cells[:dimensions], moved=moved if dimensions > 1
+                    else None, **fields)
+
+    def linear(X):
+        return X @ slope.T + 0.01*np.array((1, -2, 3))*np.any(slope, axis=1)
+    source = make(tmp_path/"source", body(
+        (5, 6, 4), 0.4, velocity=lambda X: -2*linear(X), displacement=linear))
+    case = mapped(source, make(tmp_path/"case", body((7, 4, 6), -0.3)))
+    X = case.X()
+    with figures(f"mapState of linear fields, {dimensions}D") as f:
+        f.atMost("displacement less that", largest(
+            case.at("pointD", "0") - linear(X)), 1e-13)
+        f.atMost("velocity less that", largest(
+            case.at("pointU", "0") + 2*linear(X)), 1e-13)
+        f.equal("says that points are outside", "outside" in case.output, False)
+
+
+def test_curved_surface(tmp_path, figures):
+    """Points of a finer mesh lie outside those of a coarser one."""
+    def ring(cells, **fields):
+        return Body(cells=cells, start=(1, 0, 0), size=(0.5, 1, 1), moved=polar,
+                    **fields)
+    source = make(tmp_path/"source", ring(
+        (3, 4), displacement=lambda X: X @ SLOPE.T))
+    case = mapped(source, make(tmp_path/"case", ring((4, 9))))
+    with figures("mapState outside the mesh") as f:
+        f.atMost("linear displacement, error", largest(
+            case.at("pointD", "0") - case.X() @ SLOPE.T), 1e-13)
+        f.equal("says that points are outside", "outside" in case.output, True)
+
+
+def test_preload(tmp_path, figures):
+    """A block that has come to rest under its weight, on a coarse mesh, hardly
+    moves on a finer one."""
+    def block(n):
+        return Body(cells=(n, n), sides={"bottom": HELD})
+    g = {"gravity": (0, -0.1, 0)}
+    source = make(tmp_path/"source", block(8), 40.0, **g, control={
+        "damping": {"body": {"coefficient": 1}}}).run()
+    case = mapped(source, make(tmp_path/"case", block(16), 4.0, **g)).run()
+    anew = make(tmp_path/"anew", block(16), 4.0, **g).run()
+    e = case.energies
+    strain = source.energies["total:strain"][-1]
+    with figures("mapState of a preload to a finer mesh") as f:
+        f.within("strain energy / of the other mesh",
+                 e["total:strain"][0]/strain, 1, 0.03)
+        f.atMost("kinetic energy, largest, / of a block without the preload",
+                 e["total:kinetic"].max()
+                 / anew.energies["total:kinetic"].max(), 0.01)
+        f.atMost("displacement at the start, largest / of the other mesh",
+                 abs(largest(case.at("pointD", "0"))
+                     / largest(source.at("pointD")) - 1), 1e-12)
+
+
+def test_metal_that_has_flowed(tmp_path, figures):
+    """CpInv and epsilonPEq of a metal, pointT of a hot one, from a given time;
+    what another region has begins as it would."""
+    pulled = condition("fixedVelocity", velocity=(0.05, 0, 0),
+                       components=("x",))
+    metal = {"type": "HenckyVonMises", "rho": 1, "E": 1, "nu": 0.3,
+             "tauY": 0.02, "Hardening": 0.1,
+             "adiabaticHeating": {"cp": 1e-3, "T0": 300}}
+
+    def bar(n):
+        return Body(cells=(n, 4), size=(1, 0.25, 1), material=metal,
+                    sides={"left": HELD, "right": pulled})
+    other = Body(cells=(3, 3), name="other", start=(0, 2, 0))
+    source = make(tmp_path/"source", bar(12), 3.0, control={
+        "writeInterval": 1.5}).run()
+    case = mapped(source, make(tmp_path/"case", (bar(20), other), 0.1),
+                  "-sourceTime", "1.5").run()
+    C = case.at("CpInv", "0")
+    xx, xy, xz, yy, yz, zz = C.T
+    det = (xx*(yy*zz - yz**2) - xy*(xy*zz - yz*xz) + xz*(xy*yz - yy*xz))
+    at = np.abs(source.energies["Time"] - 1.5).argmin()
+    with figures("mapState of a metal that has flowed") as f:
+        f.atMost("determinant of CpInv less 1", largest(det - 1), 1e-13)
+        f.atLeast("plastic strain, largest",
+                  case.at("epsilonPEq", "0").max(), 5e-3)
+        for name in "epsilonPEq", "pointT":
+            f.within(f"{name}, largest / of the other mesh",
+                     case.at(name, "0").max()
+                     / source.at(name, "1.5").max(), 1, 1e-12)
+        f.within("strain energy / of the other mesh",
+                 case.energies["body:strain"][0]
+                 / source.energies["body:strain"][at], 1, 0.03)
+        f.equal("names the other region", "Region other: not in the other case"
+                in case.output, True)
+
+
+def bad(case, *arguments):
+    done = execute(["mapState", *arguments], case.path)
+    assert done.returncode != 0, done.stdout
+    return done.stdout[done.stdout.index("--> FOAM FATAL IO ERROR"):]
+
+
+def test_bad_input(tmp_path):
+    """One message, and nothing is written."""
+    body = Body(cells=(4, 4))
+    source = make(tmp_path/"source", body)
+    case = make(tmp_path/"case", Body(cells=(4, 4), start=(5, 0, 0)))
+    other = make(tmp_path/"other", Body(cells=(4, 4), name="other"))
+    assert "-sourceTime" in bad(source, str(case.path), "-sourceTime", "3")
+    message = bad(case, str(source.path))
+    assert "nearest cell" in message and "source" in message
+    message = bad(other, str(source.path))
+    assert "(other)" in message and "(body)" in message
+    (source/"0"/"body"/"pointU").unlink()
+    assert "no pointU" in bad(
+        make(tmp_path/"same", body), str(source.path), "-sourceTime", "0")
+    for each, region in (case, "body"), (other, "other"):
+        assert not (each/"0"/region/"pointD").exists()
