@@ -182,8 +182,8 @@ node and bytes of a shared node, and an assumed network with {1e6*NETWORK[0]:.0f
 
 Exchanges are not overlapped with the edges between own nodes: that could save {100*(toNeighbours*NETWORK[0] + sending)/(compute + waiting + sending):.1f} % of such a step at most.
 
-Not measured: contention of the network, imbalance of the decomposition, contact (a pairing between bodies on different ranks adds one
-message to each rank opposite and back, in each stage).
+Not measured: contention of the network, imbalance of the decomposition, contact (an interface adds one message to each rank opposite and
+back, however many pairs of surfaces it has, and with friction another one).
 """
     (Path(__file__).parent/"scaling.md").write_text(page)
     print(page)

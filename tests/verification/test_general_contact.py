@@ -78,11 +78,51 @@ def test_as_named(tmp_path, figures):
                      difference(named, other), 1e-9)
 
 
-def test_two_ranks(tmp_path, figures):
-    serial, parallel = (case(tmp_path/n, ALL) for n in ("serial", "parallel"))
+# Ranks by cell: a body as a whole, cut in two, on all; of four ranks one has no
+# part of a surface in contact. Then two bodies that touch on one rank
+PLACES = {
+    "mixed": (4, {"square00": lambda i, j: 0, "square10": lambda i, j: 1,
+                  "square01": lambda i, j: 1 + (j > 1),
+                  "square11": lambda i, j: 3 if min(i, j) > 2
+                  else (i + j) % 3}),
+    "whole": (3, {"square00": lambda i, j: 2, "square10": lambda i, j: 2,
+                  "square01": lambda i, j: 0, "square11": lambda i, j: 1})}
+
+
+def solveOn(case, ranks, places):
+    """With each cell on the rank that is asked for."""
+    for body in case.bodies:
+        nx, ny = body.cells
+        cells = [places[body.name](k % nx, k//nx) for k in range(nx*ny)]
+        (case.path/"constant"/body.name/"cellDecomposition").write_text(
+            "FoamFile { version 2.0; format ascii; class labelList; "
+            "object cellDecomposition; }\n"
+            f"{len(cells)} ({' '.join(map(str, cells))})\n")
+    case.decompose(ranks, "manual")
+    checked(["mpirun", "-np", str(ranks), "vertexContactFoam", "-parallel"],
+            case.path)
+
+
+@pytest.mark.parametrize("places", ("metis", *PLACES))
+def test_ranks(tmp_path, figures, places):
+    """With friction, so that what slides is exchanged, too."""
+    entry = {"all": {"surfaces": "all", "law": coulomb(0.3)}}
+    bodies = squares()
+    bodies[0].velocity = (2, 4, 0)
+    serial, parallel = (case(tmp_path/n, entry, bodies)
+                        for n in ("serial", "parallel"))
     solve(serial)
-    solve(parallel, 2)
-    with figures("General contact on two ranks") as f:
+    if places == "metis":
+        solve(parallel, 2)
+    else:
+        solveOn(parallel, *PLACES[places])
+    friction = serial.energies["total:frictionDissipation"]
+    with figures(f"General contact on ranks: {places}") as f:
+        f.atLeast("friction / initial energy",
+                  friction[-1]/serial.totalEnergy[0], 0.001)
+        f.atMost("difference of friction / initial energy",
+                 abs(parallel.energies["total:frictionDissipation"][-1]
+                     - friction[-1])/serial.totalEnergy[0], 1e-9)
         f.atMost("difference of energies / initial energy",
                  difference(serial, parallel), 1e-9)
 

@@ -77,6 +77,8 @@ void Foam::bodyInterface::resize()
 
     if (minus_.body->variational())
     {
+        const contactPairing* pairing = &*pairing_;
+        exchange_.set(UList<const contactPairing*>(&pairing, 1));
         setKernel();
         return;
     }
@@ -430,12 +432,11 @@ void Foam::bodyInterface::solveOverlaps()
 }
 
 
-void Foam::bodyInterface::solveForces(const bool firstStage)
+void Foam::bodyInterface::startForces()
 {
-    const labelList& plusCorners = pairing_->plusCorners();
+    statistics_ = statistics();
     findStates(minus_, minusCorners_, minusStates_);
-    findStates(plus_, plusCorners, plusStates_);
-    pairing_->toSlots(plusStates_);
+    findStates(plus_, pairing_->plusCorners(), ownStates_);
     if (law().sticks())
     {
         const labelList& node =
@@ -450,12 +451,38 @@ void Foam::bodyInterface::solveForces(const bool firstStage)
     toPlus_.setSize(pairing_->nSlots());
     toMinus_ = noSurfaceAnswer();
     toPlus_ = noSurfaceAnswer();
+}
 
-    withNodes([&](auto N) { solveOverlaps<N.value>(); });
 
-    pairing_->toCorners(toPlus_, combineSurfaceAnswers(), noSurfaceAnswer());
-    tell(minus_, minusCorners_, toMinus_, firstStage);
-    tell(plus_, plusCorners, toPlus_, firstStage);
+void Foam::bodyInterface::solveForces
+(
+    const UList<bodyInterface*>& pairs,
+    contactExchange& exchange,
+    const bool firstStage
+)
+{
+    for (bodyInterface* pair : pairs) pair->startForces();
+    exchange.toSlots<surfaceState>
+    (
+        [&](const label i) -> auto& { return pairs[i]->ownStates_; },
+        [&](const label i) -> auto& { return pairs[i]->plusStates_; }
+    );
+    for (bodyInterface* pair : pairs)
+    {
+        pair->withNodes([&](auto N) { pair->solveOverlaps<N.value>(); });
+    }
+    exchange.toCorners<surfaceAnswer>
+    (
+        [&](const label i) -> auto& { return pairs[i]->toPlus_; },
+        [&](const label i) -> auto& { return pairs[i]->toOwn_; },
+        combineSurfaceAnswers(), noSurfaceAnswer()
+    );
+    for (bodyInterface* pair : pairs)
+    {
+        const bodyInterface& p = *pair;
+        tell(p.minus_, p.minusCorners_, p.toMinus_, firstStage);
+        tell(p.plus_, p.pairing_->plusCorners(), p.toOwn_, firstStage);
+    }
 }
 
 
@@ -625,6 +652,31 @@ void Foam::bodyInterface::update
 }
 
 
+void Foam::bodyInterface::find
+(
+    const contactSurface::snapshot& minus,
+    const contactSurface::snapshot& plus
+)
+{
+    pairing_->find(minus, plus);
+}
+
+
+void Foam::bodyInterface::follow
+(
+    const scalar time,
+    const contactSurface::snapshot& minus,
+    const contactSurface::snapshot& plus,
+    const bool active
+)
+{
+    pairing_->setActive(active);
+    pairing_->follow(time, minus, plus);
+    resize();
+    if (!active) statistics_ = statistics();
+}
+
+
 void Foam::bodyInterface::remember()
 {
     const dualPatch& patch =
@@ -658,7 +710,8 @@ void Foam::bodyInterface::solve(const scalar, const bool firstStage)
 
     if (minus_.body->variational())
     {
-        solveForces(firstStage);
+        bodyInterface* pair = this;
+        solveForces(UList<bodyInterface*>(&pair, 1), exchange_, firstStage);
         return;
     }
     send();
@@ -915,10 +968,37 @@ void Foam::bodyInterface::slide(const scalar middle, const scalar deltaT)
 {
     if (!law().sticks() || !pairing_->active()) return;
 
-    findSteps(minus_, minusCorners_, minusSteps_);
-    findSteps(plus_, pairing_->plusCorners(), plusSteps_);
-    pairing_->toSlots(plusSteps_);
-    withNodes([&](auto N) { slideOverlaps<N.value>(middle, deltaT); });
+    bodyInterface* pair = this;
+    slide(UList<bodyInterface*>(&pair, 1), exchange_, middle, deltaT);
+}
+
+
+void Foam::bodyInterface::slide
+(
+    const UList<bodyInterface*>& pairs,
+    contactExchange& exchange,
+    const scalar middle,
+    const scalar deltaT
+)
+{
+    for (bodyInterface* pair : pairs)
+    {
+        bodyInterface& p = *pair;
+        findSteps(p.minus_, p.minusCorners_, p.minusSteps_);
+        findSteps(p.plus_, p.pairing_->plusCorners(), p.ownSteps_);
+    }
+    exchange.toSlots<stepMessage>
+    (
+        [&](const label i) -> auto& { return pairs[i]->ownSteps_; },
+        [&](const label i) -> auto& { return pairs[i]->plusSteps_; }
+    );
+    for (bodyInterface* pair : pairs)
+    {
+        pair->withNodes([&](auto N)
+        {
+            pair->slideOverlaps<N.value>(middle, deltaT);
+        });
+    }
 }
 
 

@@ -111,13 +111,100 @@ Foam::labelList Foam::generalInterface::candidates(const scalar time)
 }
 
 
+Foam::PtrList<Foam::contactSurface::snapshot>
+Foam::generalInterface::snapshots(const boolList& wanted) const
+{
+    DynamicList<label> some;
+    forAll(wanted, i)
+    {
+        if (wanted[i]) some.append(i);
+    }
+
+    // Momentum and mass of the bodies, whose surfaces follow each other
+    List<FixedList<scalar, 4>> motion(some.size());
+    forAll(some, k)
+    {
+        const solidBody& body = *surfaces_[some[k]].body;
+        if (k && surfaces_[some[k - 1]].body == &body)
+        {
+            motion[k] = motion[k - 1];
+            continue;
+        }
+        const vector momentum(body.linearMomentum());
+        for (direction c = 0; c < 3; ++c) motion[k][c] = momentum[c];
+        motion[k][3] = body.mass();
+    }
+    motion = everywhere
+    (
+        motion,
+        [](FixedList<scalar, 4>& a, const FixedList<scalar, 4>& b)
+        {
+            forAll(a, c) a[c] += b[c];
+        }
+    );
+
+    PtrList<contactSurface::snapshot> all(surfaces_.size());
+    List<contactSurface::snapshot::message> shared(some.size());
+    scalarList along(some.size());
+    forAll(some, k)
+    {
+        const FixedList<scalar, 4>& m = motion[k];
+        all.set
+        (
+            some[k],
+            contactSurface::snapshot::ofThisRank
+            (
+                surfaces_[some[k]], true, vector(m[0], m[1], m[2])/m[3]
+            )
+        );
+        shared[k] = all[some[k]].shared();
+    }
+    shared = everywhere(shared, contactSurface::snapshot::join);
+    forAll(some, k)
+    {
+        all[some[k]].setShared(shared[k]);
+        along[k] = all[some[k]].alongAxis();
+    }
+    along = everywhere(along, minEqOp<scalar>());
+    forAll(some, k) all[some[k]].setLeastAlong(along[k]);
+    return all;
+}
+
+
+void Foam::generalInterface::join()
+{
+    DynamicList<bodyInterface*> acting(active_.size()), sticking(acting);
+    for (const label i : active_)
+    {
+        bodyInterface& part = parts_[i];
+        if (!part.concerned())
+        {
+            part.forgetStatistics();
+            continue;
+        }
+        acting.append(&part);
+        if (part.law().sticks()) sticking.append(&part);
+    }
+    acting_.transfer(acting);
+    sticking_.transfer(sticking);
+
+    const auto pairingsOf = [](const UList<bodyInterface*>& parts)
+    {
+        List<const contactPairing*> pairings(parts.size());
+        forAll(parts, i) pairings[i] = &parts[i]->pairing();
+        return pairings;
+    };
+    exchange_.set(pairingsOf(acting_));
+    slideExchange_.set(pairingsOf(sticking_));
+}
+
+
 void Foam::generalInterface::collect()
 {
     statistics_ = statistics();
-    for (const label i : active_)
+    for (const bodyInterface* part : acting_)
     {
-        const bodyInterface& part = parts_[i];
-        const statistics& s = part.stageStatistics();
+        const statistics& s = part->stageStatistics();
         statistics_.force += s.force;
         statistics_.plusForce += s.plusForce;
         statistics_.gapForce += s.gapForce;
@@ -134,7 +221,7 @@ void Foam::generalInterface::collect()
         statistics_.nOpen += s.nOpen;
         statistics_.nStick += s.nStick;
         statistics_.nSlip += s.nSlip;
-        if (lost_.empty() && part.lost().size()) lost_ = part.lost();
+        if (lost_.empty() && part->lost().size()) lost_ = part->lost();
     }
 }
 
@@ -266,37 +353,6 @@ void Foam::generalInterface::update(const scalar time, const bool all)
 
     PtrList<bodyInterface> parts(keys.size());
     label old = 0;
-    // Of each surface that is paired again once
-    PtrList<contactSurface::snapshot> now(surfaces_.size());
-    const auto snapshotOf = [&](const label i) -> contactSurface::snapshot&
-    {
-        if (!now.set(i))
-        {
-            // Surfaces of one body follow each other
-            const solidBody* body = surfaces_[i].body;
-            label first = i;
-            while (first && surfaces_[first - 1].body == body) --first;
-            label k = first;
-            while (k < now.size() && surfaces_[k].body == body && !now.set(k))
-            {
-                ++k;
-            }
-            const bool known =
-                k < now.size() && surfaces_[k].body == body;
-            now.set
-            (
-                i,
-                new contactSurface::snapshot
-                (
-                    surfaces_[i],
-                    true,
-                    known ? now[k].velocity : body->meanVelocity()
-                )
-            );
-        }
-        return now[i];
-    };
-
     const label n = surfaces_.size();
     const auto take = [&](const label i, const bool kept)
     {
@@ -308,31 +364,56 @@ void Foam::generalInterface::update(const scalar time, const bool all)
         // Its sums have not changed in this step yet
         if (is && !kept) part.keepSums();
     };
+
+    // Each surface that is paired again is looked at once, and all pairings
+    // learn in one exchange whether any rank has overlaps
+    boolList isOld(keys.size(), false), again(keys.size(), false);
+    boolList kept(keys.size(), false), wanted(n, false);
     forAll(keys, i)
     {
         while (old < keys_.size() && keys_[old] < keys[i]) ++old;
-        if (old < keys_.size() && keys_[old] == keys[i])
+        if (old == keys_.size() || keys_[old] != keys[i]) continue;
+        isOld[i] = true;
+        parts.set(i, parts_.set(old, nullptr).ptr());
+        kept[i] = wasSummed[old];
+        again[i] = moved[old];
+        if (!again[i]) continue;
+        wanted[keys[i]/n] = wanted[keys[i] % n] = true;
+    }
+    const PtrList<contactSurface::snapshot> now(snapshots(wanted));
+    forAll(keys, i)
+    {
+        if (again[i]) parts[i].find(now[keys[i]/n], now[keys[i] % n]);
+    }
+    boolList overlap(keys.size(), false);
+    forAll(keys, i)
+    {
+        overlap[i] = again[i] && parts[i].pairing().overlaps().size();
+    }
+    overlap = everywhere(overlap, orEqOp<bool>());
+    forAll(keys, i)
+    {
+        if (again[i])
         {
-            parts.set(i, parts_.set(old, nullptr).ptr());
-            if (moved[old])
-            {
-                contactSurface::snapshot& minus = snapshotOf(keys[i]/n);
-                parts[i].update(time, minus, snapshotOf(keys[i] % n));
-            }
-            take(i, wasSummed[old]);
-            continue;
-        }
-        parts.set
-        (
-            i,
-            new bodyInterface
+            parts[i].follow
             (
-                partName(keys[i]), rules_[rule_[keys[i]]],
-                surfaces_[keys[i]/n], surfaces_[keys[i] % n]
-            )
-        );
-        if (past_.found(keys[i])) parts[i].setSums(past_[keys[i]]);
-        take(i, false);
+                time, now[keys[i]/n], now[keys[i] % n], overlap[i]
+            );
+        }
+        if (!isOld[i])
+        {
+            parts.set
+            (
+                i,
+                new bodyInterface
+                (
+                    partName(keys[i]), rules_[rule_[keys[i]]],
+                    surfaces_[keys[i]/n], surfaces_[keys[i] % n]
+                )
+            );
+            if (past_.found(keys[i])) parts[i].setSums(past_[keys[i]]);
+        }
+        take(i, kept[i]);
     }
     forAll(parts_, i)
     {
@@ -345,18 +426,26 @@ void Foam::generalInterface::update(const scalar time, const bool all)
     parts_.transfer(parts);
     active_.transfer(active);
     summed_.transfer(summed);
+    join();
 }
 
 
 void Foam::generalInterface::remember()
 {
-    for (const label i : active_) parts_[i].remember();
+    for (bodyInterface* part : acting_) part->remember();
 }
 
 
 void Foam::generalInterface::solve(const scalar time, const bool firstStage)
 {
-    for (const label i : active_) parts_[i].solve(time, firstStage);
+    if (surfaces_.size() && surfaces_[0].body->variational())
+    {
+        bodyInterface::solveForces(acting_, exchange_, firstStage);
+    }
+    else
+    {
+        for (bodyInterface* part : acting_) part->solve(time, firstStage);
+    }
     collect();
 }
 
@@ -364,20 +453,17 @@ void Foam::generalInterface::solve(const scalar time, const bool firstStage)
 void Foam::generalInterface::accumulate(const scalar weightedDeltaT)
 {
     contactInterface::accumulate(weightedDeltaT);
-    for (const label i : active_) parts_[i].accumulate(weightedDeltaT);
+    for (bodyInterface* part : acting_) part->accumulate(weightedDeltaT);
 }
 
 
 void Foam::generalInterface::slide(const scalar middle, const scalar deltaT)
 {
-    for (const label i : active_)
-    {
-        bodyInterface& part = parts_[i];
-        if (!part.law().sticks()) continue;
-        const scalar before = part.sums().friction;
-        part.slide(middle, deltaT);
-        account_.friction += part.sums().friction - before;
-    }
+    scalar before = 0, after = 0;
+    for (const bodyInterface* part : sticking_) before += part->sums().friction;
+    bodyInterface::slide(sticking_, slideExchange_, middle, deltaT);
+    for (const bodyInterface* part : sticking_) after += part->sums().friction;
+    account_.friction += after - before;
 }
 
 

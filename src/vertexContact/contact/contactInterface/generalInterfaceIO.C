@@ -329,6 +329,7 @@ void Foam::generalInterface::readLaw(const dictionary& dict)
         }
     }
     forAll(parts_, i) parts_[i].readLaw(rules_[rule_[keys_[i]]]);
+    join();
 }
 
 

@@ -144,6 +144,7 @@ Foam::obstacleInterface::obstacleInterface
     leastWidth_(GREAT),
     width_(side_.body->corners(side_.patchi).size(), Zero),
     sideMotion_(side_),
+    cut_(false),
     oldPose_(septernion::I)
 {
     const dualPatch& patch = side_.body->dual().patches()[side_.patchi];
@@ -160,6 +161,7 @@ Foam::obstacleInterface::obstacleInterface
         }
     }
     reduce(leastWidth_, minOp<scalar>());
+    cut_ = returnReduce(label(faces.size() > 0), sumOp<label>()) > 1;
 
     rememberSlide(law(), side_);
 
@@ -288,7 +290,7 @@ void Foam::obstacleInterface::update(const scalar time, const bool)
     }
     closed_.setSize(planes_.size(), false);
     problems_.setSize(planes_.size());
-    reduce(nearest, minOp<scalar>());
+    if (cut_) reduce(nearest, minOp<scalar>());
 
     allowed_ =
         nearest > leastWidth_
@@ -302,13 +304,11 @@ void Foam::obstacleInterface::update(const scalar time, const bool)
         box.max() += allowed_*vector::one;
         reach_ = box.points();
     }
+    scalar speed = sideMotion_.speed(vector::zero);
+    if (cut_) reduce(speed, maxOp<scalar>());
     sideMotion_.start
     (
-        time,
-        allowed_,
-        returnReduce(sideMotion_.speed(vector::zero), maxOp<scalar>())
-      + 0.1*side_.body->material().cp(),
-        vector::zero
+        time, allowed_, speed + 0.1*side_.body->material().cp(), vector::zero
     );
 }
 

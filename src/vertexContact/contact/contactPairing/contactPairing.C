@@ -7,7 +7,7 @@
 #include "contactPairing.H"
 #include "solidBody.H"
 #include "dictionaryCheck.H"
-#include "PstreamBuffers.H"
+#include "rankExchange.H"
 #include <algorithm>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -30,12 +30,40 @@ Foam::label numberOfCorners(const Foam::contactSide& side)
     return side.body->dual().patches()[side.patchi].nCorners();
 }
 
+Foam::labelList ranksOf(const Foam::globalIndex& corners)
+{
+    Foam::DynamicList<Foam::label> ranks;
+    for (Foam::label rank = 0; rank < Foam::Pstream::nProcs(); ++rank)
+    {
+        if (corners.localSize(rank)) ranks.append(rank);
+    }
+    return Foam::labelList(ranks);
+}
+
 } // End anonymous namespace
 
 
 // * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * //
 
-void Foam::contactPairing::setOverlaps(DynamicList<contactOverlap>& overlaps)
+bool Foam::contactPairing::holds(const labelList& ranks)
+{
+    return findIndex(ranks, Pstream::myProcNo()) >= 0;
+}
+
+
+bool Foam::contactPairing::joint() const
+{
+    const label me = Pstream::myProcNo();
+    const auto others = [&](const labelList& ranks)
+    {
+        return ranks.size() > 1 || (ranks.size() == 1 && ranks[0] != me);
+    };
+    const bool minus = holds(minusRanks_), plus = holds(plusRanks_);
+    return (minus && others(plusRanks_)) || (plus && others(minusRanks_));
+}
+
+
+void Foam::contactPairing::takeOverlaps(DynamicList<contactOverlap>& overlaps)
 {
     const label firstMinus = minusCorners_.toGlobal(0);
 
@@ -71,23 +99,30 @@ void Foam::contactPairing::setOverlaps(DynamicList<contactOverlap>& overlaps)
     }
 
     map_.clear();
-    if (Pstream::parRun())
+    if (joint())
     {
         askFor(slots);
     }
     else
     {
         sent_ = slots;
+        const label firstPlus = plusCorners_.offset(Pstream::myProcNo());
+        for (label& k : sent_) k -= firstPlus;
     }
-
-    active_ = returnReduce(overlaps.size(), sumOp<label>()) > 0;
     overlaps_.transfer(overlaps);
+}
+
+
+void Foam::contactPairing::setOverlaps(DynamicList<contactOverlap>& overlaps)
+{
+    takeOverlaps(overlaps);
+    setActive(returnReduce(overlaps_.size(), sumOp<label>()) > 0);
 }
 
 
 void Foam::contactPairing::askFor(const labelList& slots)
 {
-    const label me = Pstream::myProcNo(), nProcs = Pstream::nProcs();
+    const label nProcs = Pstream::nProcs();
 
     // From whom what; the numbers of each rank follow each other
     labelListList construct(nProcs), wanted(nProcs);
@@ -107,28 +142,15 @@ void Foam::contactPairing::askFor(const labelList& slots)
         }
     }
 
-    PstreamBuffers buffers(Pstream::commsTypes::nonBlocking);
-    forAll(wanted, proc)
-    {
-        if (proc != me && wanted[proc].size())
-        {
-            UOPstream os(proc, buffers);
-            os << wanted[proc];
-        }
-    }
-    labelList received;
-    buffers.finishedSends(received);
-
+    // The minus side asks the plus side
+    labelList to, from;
+    if (holds(minusRanks_)) to = plusRanks_;
+    if (holds(plusRanks_)) from = minusRanks_;
+    labelListList questions(to.size()), received;
+    forAll(to, i) questions[i] = wanted[to[i]];
+    rankExchange::lists(to, questions, from, received);
     labelListList asked(nProcs);
-    asked[me] = wanted[me];
-    forAll(received, proc)
-    {
-        if (proc != me && received[proc])
-        {
-            UIPstream is(proc, buffers);
-            is >> asked[proc];
-        }
-    }
+    forAll(from, i) asked[from[i]].transfer(received[i]);
 
     labelHashSet corners;
     for (const labelList& some : asked) corners.insert(some);
@@ -236,11 +258,26 @@ Foam::contactPairing::contactPairing
     minus_(minus),
     plus_(plus),
     minusCorners_(numberOfCorners(minus)),
-    plusCorners_(numberOfCorners(plus))
+    plusCorners_(numberOfCorners(plus)),
+    minusRanks_(ranksOf(minusCorners_)),
+    plusRanks_(ranksOf(plusCorners_))
 {}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::contactPairing::update
+(
+    const scalar time,
+    const contactSurface::snapshot& minus,
+    const contactSurface::snapshot& plus
+)
+{
+    find(minus, plus);
+    setActive(returnReduce(overlaps_.size(), sumOp<label>()) > 0);
+    follow(time, minus, plus);
+}
+
 
 Foam::keywordList Foam::contactPairing::commonKeywords()
 {

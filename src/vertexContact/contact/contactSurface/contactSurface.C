@@ -417,6 +417,23 @@ Foam::contactSurface::snapshot::snapshot
     const vector& velocity
 )
 :
+    snapshot(whole, side, velocity)
+{
+    message m(shared());
+    Pstream::combineGather(m, join);
+    Pstream::combineScatter(m);
+    setShared(m);
+    if (whole) setLeastAlong(returnReduce(alongAxis(), minOp<scalar>()));
+}
+
+
+Foam::contactSurface::snapshot::snapshot
+(
+    const bool whole,
+    const contactSide& side,
+    const vector& velocity
+)
+:
     side(side),
     box(boundBox::invertedBox),
     velocity(velocity),
@@ -427,8 +444,6 @@ Foam::contactSurface::snapshot::snapshot
     const labelList& cornerNode = body.dual().patches()[side.patchi].cornerNode;
     const positions x(side);
     for (const label a : cornerNode) box.add(x(a));
-    reduce(box.min(), minOp<vector>());
-    reduce(box.max(), maxOp<vector>());
 
     const scalar* lm = body.state().lm.cdata();
     const scalar perRho = 1/body.material().rho();
@@ -440,7 +455,7 @@ Foam::contactSurface::snapshot::snapshot
             speedSqr, magSqr(perRho*body.expand(lm + a*x.d) - velocity)
         );
     }
-    speed = std::sqrt(returnReduce(speedSqr, maxOp<scalar>()));
+    speed = std::sqrt(speedSqr);
     if (!whole) return;
 
     faces.reserve(body.dual().patches()[side.patchi].nFaces());
@@ -449,14 +464,73 @@ Foam::contactSurface::snapshot::snapshot
         side, [](const label) { return true; },
         [&](const outline& o) { faces.append(o); axis += o.n; }
     );
-    reduce(axis, sumOp<vector>());
-    if (mag(axis) < SMALL) return;
+}
 
-    axis /= mag(axis);
+
+Foam::autoPtr<Foam::contactSurface::snapshot>
+Foam::contactSurface::snapshot::ofThisRank
+(
+    const contactSide& side,
+    const bool whole,
+    const vector& velocity
+)
+{
+    return autoPtr<snapshot>(new snapshot(whole, side, velocity));
+}
+
+
+Foam::contactSurface::snapshot::message
+Foam::contactSurface::snapshot::shared() const
+{
+    message m;
+    for (direction c = 0; c < 3; ++c)
+    {
+        m[c] = box.min()[c];
+        m[3 + c] = box.max()[c];
+        m[6 + c] = axis[c];
+    }
+    m[9] = speed;
+    return m;
+}
+
+
+void Foam::contactSurface::snapshot::join(message& a, const message& b)
+{
+    for (direction c = 0; c < 3; ++c)
+    {
+        a[c] = min(a[c], b[c]);
+        a[3 + c] = max(a[3 + c], b[3 + c]);
+        a[6 + c] += b[6 + c];
+    }
+    a[9] = max(a[9], b[9]);
+}
+
+
+void Foam::contactSurface::snapshot::setShared(const message& m)
+{
+    for (direction c = 0; c < 3; ++c)
+    {
+        box.min()[c] = m[c];
+        box.max()[c] = m[3 + c];
+        axis[c] = m[6 + c];
+    }
+    speed = m[9];
+    if (mag(axis) >= SMALL) axis /= mag(axis);
+}
+
+
+Foam::scalar Foam::contactSurface::snapshot::alongAxis() const
+{
     scalar least = 1;
     for (const outline& o : faces) least = min(least, o.n & axis);
-    reduce(least, minOp<scalar>());
-    angle = std::acos(max(least, scalar(-1)));
+    return least;
+}
+
+
+void Foam::contactSurface::snapshot::setLeastAlong(const scalar least)
+{
+    // Without an axis: all directions
+    if (mag(axis) >= SMALL) angle = std::acos(max(least, scalar(-1)));
 }
 
 

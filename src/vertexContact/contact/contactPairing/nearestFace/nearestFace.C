@@ -8,8 +8,7 @@
 #include "solidBody.H"
 #include "dictionaryCheck.H"
 #include "pointGrid.H"
-#include "PstreamBuffers.H"
-#include "ListListOps.H"
+#include "rankExchange.H"
 #include "Time.H"
 #include "addToRunTimeSelectionTable.H"
 
@@ -76,21 +75,27 @@ Foam::contactFaceList Foam::contactPairings::nearestFace::oppositeFaces
     const boundBox& near
 ) const
 {
-    const DynamicList<contactSurface::outline> mine(plus.in(near));
-    List<boundBox> boxes(Pstream::nProcs());
-    boxes[Pstream::myProcNo()] = minusBox;
-    Pstream::gatherList(boxes);
-    Pstream::scatterList(boxes);
+    // The minus side says where it is, the plus side sends what is there
+    labelList minusRanks, plusRanks;
+    if (holds(plusRanks_)) minusRanks = minusRanks_;
+    if (holds(minusRanks_)) plusRanks = plusRanks_;
 
-    PstreamBuffers buffers(Pstream::commsTypes::nonBlocking);
-    forAll(boxes, proc)
+    List<List<boundBox>> asked(plusRanks.size(), List<boundBox>(1, minusBox));
+    List<List<boundBox>> boxes(minusRanks.size(), List<boundBox>(1));
+    rankExchange::sized(plusRanks, asked, minusRanks, boxes);
+
+    DynamicList<contactSurface::outline> mine;
+    if (minusRanks.size()) mine = plus.in(near);
+    List<List<contactFace::message>> sent(minusRanks.size()), received;
+    forAll(boxes, i)
     {
-        if (boxes[proc].min().x() > boxes[proc].max().x()) continue;
+        const boundBox& box = boxes[i][0];
+        if (box.min().x() > box.max().x()) continue;
 
         DynamicList<contactFace::message> some;
         for (const contactSurface::outline& o : mine)
         {
-            if (boxes[proc].overlaps(o.box))
+            if (box.overlaps(o.box))
             {
                 some.append
                 (
@@ -101,26 +106,16 @@ Foam::contactFaceList Foam::contactPairings::nearestFace::oppositeFaces
                 );
             }
         }
-        if (some.size())
-        {
-            UOPstream os(proc, buffers);
-            os << List<contactFace::message>(some);
-        }
+        sent[i].transfer(some);
     }
-    labelList received;
-    buffers.finishedSends(received);
+    rankExchange::lists(minusRanks, sent, plusRanks, received);
 
     DynamicList<contactFace> all;
-    forAll(received, proc)
+    for (const List<contactFace::message>& messages : received)
     {
-        if (received[proc])
+        for (const contactFace::message& m : messages)
         {
-            UIPstream is(proc, buffers);
-            const List<contactFace::message> messages(is);
-            for (const contactFace::message& m : messages)
-            {
-                all.append(contactFace::unpack(m));
-            }
+            all.append(contactFace::unpack(m));
         }
     }
     return contactFaceList(all);
@@ -340,19 +335,29 @@ bool Foam::contactPairings::nearestFace::outdated
 }
 
 
-void Foam::contactPairings::nearestFace::update
+Foam::scalar Foam::contactPairings::nearestFace::apart
 (
-    const scalar time,
+    const contactSurface::snapshot& minus,
+    const contactSurface::snapshot& plus
+) const
+{
+    return oneBody_ ? 0 : distance(minus.box, plus.box);
+}
+
+
+void Foam::contactPairings::nearestFace::find
+(
     const contactSurface::snapshot& minus,
     const contactSurface::snapshot& plus
 )
 {
-    // Faces grow with the body, by less than half
-    const scalar search = 2*reach_;
-    const scalar apart = oneBody_ ? 0 : distance(minus.box, plus.box);
-
+    const scalar search = searched();
     DynamicList<contactOverlap> overlaps(contactPairing::overlaps().size());
-    if (apart <= search && minus.mayOppose(plus, std::acos(leastOpposed)))
+    if
+    (
+        apart(minus, plus) <= search
+     && minus.mayOppose(plus, std::acos(leastOpposed))
+    )
     {
         // Only faces near the other side
         const DynamicList<contactSurface::outline> mine
@@ -361,7 +366,8 @@ void Foam::contactPairings::nearestFace::update
         );
         DynamicList<contactSurface::outline> others;
         contactFaceList received;
-        if (Pstream::parRun())
+        const bool far = joint();
+        if (far)
         {
             boundBox box(boundBox::invertedBox);
             for (const contactSurface::outline& o : mine) box.add(o.box);
@@ -381,10 +387,21 @@ void Foam::contactPairings::nearestFace::update
         {
             others = plus.in(grown(minus.box, search));
         }
-        const bool itself = minus_ == plus_ && !Pstream::parRun();
+        const bool itself = minus_ == plus_ && !far;
         pairFaces(mine, itself ? mine : others, received, overlaps);
     }
-    setOverlaps(overlaps);
+    takeOverlaps(overlaps);
+}
+
+
+void Foam::contactPairings::nearestFace::follow
+(
+    const scalar time,
+    const contactSurface::snapshot& minus,
+    const contactSurface::snapshot& plus
+)
+{
+    const scalar search = searched(), apart = this->apart(minus, plus);
 
     // Pairs at up to the least width are there; others are further away
     const scalar allowed =

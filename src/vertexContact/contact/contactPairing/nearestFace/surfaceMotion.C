@@ -64,7 +64,8 @@ void Foam::surfaceMotion::start
     allowed_ = allowed;
     frame_ = frame;
     since_ = time;
-    nextTime_ = time + allowed/max(speed, VSMALL);
+    nextTime_ =
+        nodes_.size() ? time + allowed/max(speed, VSMALL) : scalar(GREAT);
 }
 
 
