@@ -17,10 +17,7 @@ void Foam::solidSystem::account(const int stage)
 {
     const scalar dt = integrator_.weight(stage)*runTime_.deltaTValue();
     if (accounts_.on()) accounts_.addStage(dt);
-    for (contactInterface& contact : interfaces_)
-    {
-        contact.accumulate(dt);
-    }
+    contacts_.accumulate(dt);
 }
 
 

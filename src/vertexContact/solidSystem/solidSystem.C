@@ -40,40 +40,7 @@ void Foam::solidSystem::solveBoundaries
     {
         body.prepare(time, moved);
     }
-    solveContact(time, firstStage);
-}
-
-
-void Foam::solidSystem::solveContact(const scalar time, const bool firstStage)
-{
-    // Contact: gaps close and open by the status of the latest first stage
-    const auto start = std::chrono::steady_clock::now();
-    for (contactInterface& contact : interfaces_)
-    {
-        contact.remember();
-    }
-    if (firstStage)
-    {
-        for (solidBody& body : bodies_)
-        {
-            body.contact().status = Zero;
-        }
-    }
-    for (contactInterface& contact : interfaces_)
-    {
-        contact.solve(time, firstStage);
-    }
-    if (firstStage)
-    {
-        for (solidBody& body : bodies_)
-        {
-            if (body.hasContact())
-            {
-                body.dual().sharing().max(body.contact().status.data(), 1);
-            }
-        }
-    }
-    contactSeconds_ += secondsSince(start);
+    contacts_.solve(time, firstStage);
 }
 
 
@@ -94,38 +61,6 @@ void Foam::solidSystem::evaluate(const scalar time, const int stage)
 }
 
 
-void Foam::solidSystem::pair(const scalar time, const bool all)
-{
-    const auto start = std::chrono::steady_clock::now();
-    for (contactInterface& contact : interfaces_)
-    {
-        if (contact.moves()) contact.update(time, all);
-    }
-    ++nPairings_;
-    pairingSeconds_ += secondsSince(start);
-}
-
-
-void Foam::solidSystem::pairMoved(const scalar time)
-{
-    const auto start = std::chrono::steady_clock::now();
-    bool some = false, outdated = false;
-    for (contactInterface& contact : interfaces_)
-    {
-        if (!contact.moves()) continue;
-        some = true;
-        outdated = outdated || contact.outdated(time);
-    }
-    if (!some) return;
-    label nBad = 0;
-    for (const solidBody& body : bodies_) nBad += body.nBad();
-    const label most =
-        returnReduce(label(nBad ? 2 : outdated), maxOp<label>());
-    pairingSeconds_ += secondsSince(start);
-    if (most == 1) pair(time, false);
-}
-
-
 void Foam::solidSystem::evaluateForces(const scalar time, const bool moved)
 {
     if (ratios_->active())
@@ -143,7 +78,7 @@ void Foam::solidSystem::evaluateForces(const scalar time, const bool moved)
     }
 
     // Here: paired after this evaluation, the bodies were evaluated again
-    if (moved) pairMoved(time);
+    if (moved) contacts_.pairMoved(time);
 
     // Contact is solved for the last step; the forces of the start act for half
     // of what the first one will be (leap)
@@ -156,12 +91,12 @@ void Foam::solidSystem::evaluateForces(const scalar time, const bool moved)
                 body.setContactStep(deltaT);
                 body.startContact();
             }
-            solveContact(time, true);
+            contacts_.solve(time, true);
         });
     };
     const scalar lastStep = bodies_[0].lastStep();
     solve(lastStep);
-    if (lastStep == 0 && interfaces_.size())
+    if (lastStep == 0 && interfaces().size())
     {
         for (label i = 0; i < 2; ++i)
         {
@@ -176,49 +111,6 @@ void Foam::solidSystem::evaluateForces(const scalar time, const bool moved)
     {
         body.addContactForces();
     }
-}
-
-
-Foam::scalar Foam::solidSystem::stableStep()
-{
-    const bool anew = bound_.due() || !integrator_.leapfrog();
-    scalar shortest = GREAT, fastest = 0;
-    forAll(bodies_, i)
-    {
-        bodyStep_[i] = passTimes::timed(passTimes::stableStep, [&]
-        {
-            return bodies_[i].timeScale(anew);
-        });
-        shortest = min(shortest, bodyStep_[i]);
-        fastest = max(fastest, bodies_[i].fastestStretching());
-    }
-    forAll(bodies_, i)
-    {
-        // It takes the shortest step of all
-        if (bodies_[i].rigid()) bodyStep_[i] = shortest;
-    }
-    if (ratios_->active())
-    {
-        return stableCommonStep();
-    }
-    if (integrator_.leapfrog())
-    {
-        // Surfaces that meet come no closer in a step than edges do
-        for (const contactInterface& contact : interfaces_)
-        {
-            shortest = min
-            (
-                shortest,
-                1/(3*contact.stageStatistics().closing + VSMALL)
-            );
-        }
-    }
-    const vector least
-    (
-        returnReduce(vector(shortest, -fastest, 0), minOp<vector>())
-    );
-    bound_.seen(-least.y());
-    return least.x();
 }
 
 
@@ -239,20 +131,10 @@ void Foam::solidSystem::leap(const scalar time)
             bodies_[i].leap(startOfStep_, deltaT, accounts_.on(), accounts_[i]);
         });
     }
-    const auto start = std::chrono::steady_clock::now();
     passTimes::timed(passTimes::contact, [&]
     {
-        for (contactInterface& contact : interfaces_)
-        {
-            contact.accumulate(middle);
-            contact.slide(middle, deltaT);
-        }
-        for (solidBody& body : bodies_)
-        {
-            body.finishSlide();
-        }
+        contacts_.slide(middle, deltaT);
     });
-    contactSeconds_ += secondsSince(start);
 
     bound_.pass(deltaT);
     evaluateForces(time, true);
@@ -270,42 +152,32 @@ void Foam::solidSystem::settle(const label nBad)
 {
     // Outdated pairings and signals share the reduction. The leapfrog has
     // paired before it solved contact
-    bool outdated = false;
-    string lost;
-    const auto start = std::chrono::steady_clock::now();
-    for (contactInterface& contact : interfaces_)
-    {
-        if (lost.empty()) lost = contact.lost();
-        outdated =
-            outdated
-         || (
-                !integrator_.leapfrog() && contact.moves()
-             && contact.outdated(runTime_.value())
-            );
-    }
-    pairingSeconds_ += secondsSince(start);
+    const contactSystem::findings found
+    (
+        contacts_.look(runTime_.value(), !integrator_.leapfrog())
+    );
     const vector all
     (
         returnReduce
         (
             vector
             (
-                nBad + wrongNode_.size() + lost.size(), outdated,
-                signals_.take()
+                nBad + wrongNode_.size() + found.lost.size(),
+                found.outdated, signals_.take()
             ),
             sumOp<vector>()
         )
     );
     if (all.x() > 0)
     {
-        const string where = firstOf(lost);
+        const string where = firstOf(found.lost);
         if (where.size())
         {
             stopOnLostContact(where);
         }
         stopOnBadState();
     }
-    pairAgain_ = pairAgain_ || all.y() > 0;
+    if (all.y() > 0) contacts_.askToPair();
     asked_ += label(all.z());
 
     forAll(bodies_, i)
@@ -322,54 +194,14 @@ void Foam::solidSystem::keepStart()
 {
     startOfStep_ = runTime_.value();
     accounts_.keep();
-    forAll(bodies_, i)
-    {
-        oldStatus_[i] = bodies_[i].contact().status;
-        oldSlide_[i] = bodies_[i].contact().slide;
-        if (maxEnergyRise_ > 0 || integrator_.leapfrog())
-        {
-            bodies_[i].keepPlasticity();
-        }
-    }
+    contacts_.keepStart();
     for (solidBody& body : bodies_)
     {
+        if (maxEnergyRise_ > 0 || integrator_.leapfrog())
+        {
+            body.keepPlasticity();
+        }
         body.startReactions();
-    }
-    for (contactInterface& contact : interfaces_)
-    {
-        contact.keepSums();
-    }
-}
-
-
-void Foam::solidSystem::chooseStep()
-{
-    // A fixed step needs the stable one only where the Courant number is
-    // printed
-    const bool adjusts = control_.adjusts();
-    if (!adjusts && !ratios_->active()) bound_.always();
-    if
-    (
-        adjusts
-     || ratios_->active()
-     || timeStepLimit_ == 0
-     || control_.logs(steps_ + 1, startOfStep_ + runTime_.deltaTValue())
-    )
-    {
-        timeStepLimit_ = stableStep();
-        checkTimeStep();
-    }
-    if (ratios_->active())
-    {
-        chooseSteps(adjusts);
-    }
-    else if (adjusts)
-    {
-        const scalar stable =
-            integrator_.leapfrog()
-          ? leastLimit_.of(timeStepLimit_)
-          : timeStepLimit_;
-        runTime_.setDeltaT(control_.fitted(control_.maxCo()*stable), false);
     }
 }
 
@@ -387,14 +219,12 @@ void Foam::solidSystem::startStep()
             body.forgetRates();
         }
     }
-    if (pairAgain_)
+    if (contacts_.pairIfAsked(runTime_.value()))
     {
-        pair(runTime_.value(), pairAll_);
         for (solidBody& body : bodies_)
         {
             body.forgetRates();
         }
-        pairAgain_ = pairAll_ = false;
     }
 
     keepStart();

@@ -25,14 +25,7 @@ void Foam::solidSystem::log()
 
     warnings_.checkDeformations(bodies_);
 
-    label nClosed = 0;
-    for (const contactInterface& contact : interfaces_)
-    {
-        const auto& s = contact.stageStatistics();
-        nClosed += s.nStick + s.nSlip;
-    }
-    reduce(nClosed, sumOp<label>());
-
+    const label nClosed = contacts_.nClosed();
     const scalar done = runTime_.value() - startOfRun_;
     const scalar left = runTime_.endTime().value() - runTime_.value();
     const scalar elapsed = clock_.elapsedTime();
@@ -103,11 +96,7 @@ bool Foam::solidSystem::writeData(Ostream& os) const
     // Bodies set their fields; pairings are found as in a run that is
     // restarted from here
     solidSystem& self = const_cast<solidSystem&>(*this);
-    for (const contactInterface& contact : interfaces_)
-    {
-        self.pairAgain_ = pairAgain_ || contact.moves();
-        self.pairAll_ = self.pairAgain_;
-    }
+    self.contacts_.askToPairAll();
 
     // In binary files, uniform fields are text: 17 digits bring back the same
     // double
@@ -166,12 +155,7 @@ bool Foam::solidSystem::writeData(Ostream& os) const
         relaxation_->write(text);
         text<< '}' << nl;
     }
-    for (const contactInterface& contact : interfaces_)
-    {
-        text<< "interface_" << contact.name() << nl << '{' << nl;
-        contact.writeRecord(text);
-        text<< '}' << nl;
-    }
+    contacts_.writeRecord(text);
     if (functionWriters_.size())
     {
         text<< "functionObjects" << nl << '{' << nl;
@@ -235,14 +219,7 @@ void Foam::solidSystem::reportCost(OSstream& os) const
     warnings_.reportGain();
     if (relaxation_.valid() && !dry_) relaxation_->report(os);
 
-    if (interfaces_.size() && steps_)
-    {
-        const scalar percent = 100/max(stepSeconds_, VSMALL);
-        os  << "Contact: " << percent*pairingSeconds_
-            << " % of the time of the steps in " << nPairings_
-            << " pairings, " << percent*contactSeconds_ << " % in fluxes"
-            << nl << nl;
-    }
+    if (steps_) contacts_.reportCost(os, stepSeconds_);
     os.precision(precision);
 }
 

@@ -76,7 +76,7 @@ void Foam::solidSystem::readInterfaces()
                 {
                     contactInterface::append
                     (
-                        e.keyword(), e.dict(), bodies_, interfaces_
+                        e.keyword(), e.dict(), bodies_, contacts_.interfaces()
                     );
                 }
             }
@@ -84,10 +84,10 @@ void Foam::solidSystem::readInterfaces()
     }
     systemChecks::contactPatches
     (
-        contactIO.objectPath(), bodies_, interfaces_
+        contactIO.objectPath(), bodies_, interfaces()
     );
     // With the leapfrog the speed of waves follows the stretch
-    if (!integrator_.leapfrog()) systemChecks::impacts(interfaces_);
+    if (!integrator_.leapfrog()) systemChecks::impacts(interfaces());
 }
 
 
@@ -137,7 +137,7 @@ const Foam::dictionary& Foam::solidSystem::interfaceDicts() const
 void Foam::solidSystem::readLaws()
 {
     const dictionary& list = interfaceDicts();
-    for (contactInterface& contact : interfaces_)
+    for (contactInterface& contact : contacts_.interfaces())
     {
         contact.readLaw(list.subDict(contact.dictName()));
     }
@@ -195,21 +195,6 @@ void Foam::solidSystem::readSteps(const dictionary& record)
 }
 
 
-void Foam::solidSystem::readImpulses(const dictionary& record)
-{
-    for (contactInterface& contact : interfaces_)
-    {
-        if (record.found("interface_" + contact.name()))
-        {
-            contact.readRecord
-            (
-                record.subDict("interface_" + contact.name())
-            );
-        }
-    }
-}
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::solidSystem::solidSystem(Time& runTime)
@@ -228,9 +213,8 @@ Foam::solidSystem::solidSystem(Time& runTime)
     integrator_(readIntegrator(runTime.controlDict(), preset_)),
     record_(readRecord()),
     bodies_(readBodies()),
+    contacts_(bodies_),
     accounts_(bodies_, integrator_.leapfrog()),
-    oldStatus_(bodies_.size()),
-    oldSlide_(bodies_.size()),
     maxEnergyRise_(control_.maxEnergyRise()),
     warnings_(bodies_.size()),
     bodyStep_(bodies_.size(), scalar(0))
@@ -242,7 +226,7 @@ Foam::solidSystem::solidSystem(Time& runTime)
     readInterfaces();
     readGravity();
 
-    readImpulses(record_);
+    contacts_.readRecord(record_);
     accounts_.read(record_);
     readSteps(record_);
     if (maxEnergyRise_ > 0) accountEnergies();
@@ -330,14 +314,7 @@ void Foam::solidSystem::report(Ostream& os) const
         body.report(os);
         os  << nl;
     }
-    for (const contactInterface& contact : interfaces_)
-    {
-        contact.report(os);
-    }
-    if (interfaces_.empty())
-    {
-        os  << "No contact interfaces" << nl;
-    }
+    contacts_.report(os);
     os  << endl;
 }
 

@@ -104,13 +104,8 @@ void Foam::solidSystem::stopStep
     forAll(bodies_, i)
     {
         bodies_[i].restoreOld();
-        bodies_[i].contact().status = oldStatus_[i];
-        bodies_[i].contact().slide = oldSlide_[i];
     }
-    for (contactInterface& contact : interfaces_)
-    {
-        contact.restoreSums();
-    }
+    contacts_.restoreStart();
     commonStep_ = oldCommonStep_;
     shortStep_ = oldShortStep_;
     runTime_.setTime(startOfStep_, runTime_.timeIndex() - 1);

@@ -10,7 +10,6 @@ Description
 
 #include "solidSystem.H"
 #include "passTimes.H"
-#include <chrono>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -40,14 +39,8 @@ Foam::scalar Foam::solidSystem::stableCommonStep()
         least[i] = bodyStep_[i];
         least[n + i] = -bodies_[i].fastestStretching();
     }
-    for (const contactInterface& contact : interfaces_)
-    {
-        // Surfaces that meet come no closer in a common step than edges do
-        least[2*n] = min
-        (
-            least[2*n], 1/(3*contact.stageStatistics().closing + VSMALL)
-        );
-    }
+    // Surfaces that meet come no closer in a common step than edges do
+    least[2*n] = contacts_.closingTime();
     Pstream::listCombineGather(least, minEqOp<scalar>());
     Pstream::listCombineScatter(least);
 
@@ -132,7 +125,7 @@ void Foam::solidSystem::solveInBlocks
             }
             bodies_[i].startContact();
         }
-        solveContact(time, true);
+        contacts_.solve(time, true);
     });
 }
 
@@ -146,7 +139,7 @@ void Foam::solidSystem::evaluateInBlocks(const scalar time, const bool moved)
         blocks[i] = bodies_[i].lastStep();
         evaluateBody(i, time - 0.5*(commonStep_ - blocks[i]), bound_.due());
     }
-    if (moved) pairMoved(time);
+    if (moved) contacts_.pairMoved(time);
     for (solidBody& body : bodies_)
     {
         body.keepFreeRates();
@@ -170,7 +163,7 @@ void Foam::solidSystem::evaluateInBlocks(const scalar time, const bool moved)
         }
     };
     solve(shortStep_);
-    if (commonStep_ == 0 && interfaces_.size())
+    if (commonStep_ == 0 && interfaces().size())
     {
         const bool adjusts = control_.adjusts();
         for (label i = 0; i < 2; ++i)
@@ -275,7 +268,6 @@ void Foam::solidSystem::leapInBlocks(const scalar time)
             );
         }
 
-        const auto start = std::chrono::steady_clock::now();
         forAll(bodies_, i)
         {
             if (length[i] > 1)
@@ -290,21 +282,8 @@ void Foam::solidSystem::leapInBlocks(const scalar time)
         }
         passTimes::timed(passTimes::contact, [&]
         {
-            for (contactInterface& contact : interfaces_)
-            {
-                contact.accumulate(kick);
-                contact.slide(kick, most == 1 ? deltaT : kick);
-            }
-            for (solidBody& body : bodies_)
-            {
-                body.finishSlide();
-            }
+            contacts_.slide(kick, most == 1 ? deltaT : kick);
         });
-        contactSeconds_ +=
-            std::chrono::duration<double>
-            (
-                std::chrono::steady_clock::now() - start
-            ).count();
         forAll(bodies_, i)
         {
             if (length[i] > 1 && (j + 1) % length[i] == 0)

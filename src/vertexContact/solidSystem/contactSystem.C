@@ -1,0 +1,294 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "contactSystem.H"
+#include "solidBody.H"
+#include <chrono>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Adds the time until its end
+class stopwatch
+{
+    double& seconds_;
+    const std::chrono::steady_clock::time_point start_;
+
+public:
+
+    explicit stopwatch(double& seconds)
+    :
+        seconds_(seconds),
+        start_(std::chrono::steady_clock::now())
+    {}
+
+    ~stopwatch()
+    {
+        seconds_ +=
+            std::chrono::duration<double>
+            (
+                std::chrono::steady_clock::now() - start_
+            ).count();
+    }
+};
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::contactSystem::contactSystem(PtrList<solidBody>& bodies)
+:
+    bodies_(bodies),
+    oldStatus_(bodies.size()),
+    oldSlide_(bodies.size())
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::contactSystem::moves() const
+{
+    for (const contactInterface& contact : interfaces_)
+    {
+        if (contact.moves()) return true;
+    }
+    return false;
+}
+
+
+void Foam::contactSystem::solve(const scalar time, const bool firstStage)
+{
+    // Gaps close and open by the status of the latest first stage
+    const stopwatch watch(forceSeconds_);
+    for (contactInterface& contact : interfaces_)
+    {
+        contact.remember();
+    }
+    if (firstStage)
+    {
+        for (solidBody& body : bodies_)
+        {
+            body.contact().status = Zero;
+        }
+    }
+    for (contactInterface& contact : interfaces_)
+    {
+        contact.solve(time, firstStage);
+    }
+    if (firstStage)
+    {
+        for (solidBody& body : bodies_)
+        {
+            if (body.hasContact())
+            {
+                body.dual().sharing().max(body.contact().status.data(), 1);
+            }
+        }
+    }
+}
+
+
+void Foam::contactSystem::pair(const scalar time, const bool all)
+{
+    const stopwatch watch(pairingSeconds_);
+    for (contactInterface& contact : interfaces_)
+    {
+        if (contact.moves()) contact.update(time, all);
+    }
+    ++nPairings_;
+}
+
+
+void Foam::contactSystem::pairMoved(const scalar time)
+{
+    if (!moves()) return;
+
+    label most = 0;
+    {
+        const stopwatch watch(pairingSeconds_);
+        for (contactInterface& contact : interfaces_)
+        {
+            if (most == 0 && contact.moves() && contact.outdated(time))
+            {
+                most = 1;
+            }
+        }
+        label nBad = 0;
+        for (const solidBody& body : bodies_) nBad += body.nBad();
+        if (nBad) most = 2;
+        reduce(most, maxOp<label>());
+    }
+    if (most == 1) pair(time, false);
+}
+
+
+void Foam::contactSystem::askToPairAll()
+{
+    if (moves()) pairAgain_ = pairAll_ = true;
+}
+
+
+bool Foam::contactSystem::pairIfAsked(const scalar time)
+{
+    if (!pairAgain_) return false;
+
+    pair(time, pairAll_);
+    pairAgain_ = pairAll_ = false;
+    return true;
+}
+
+
+Foam::contactSystem::findings Foam::contactSystem::look
+(
+    const scalar time,
+    const bool pairings
+)
+{
+    const stopwatch watch(pairingSeconds_);
+    findings found;
+    for (contactInterface& contact : interfaces_)
+    {
+        if (found.lost.empty()) found.lost = contact.lost();
+        found.outdated =
+            found.outdated
+         || (pairings && contact.moves() && contact.outdated(time));
+    }
+    return found;
+}
+
+
+void Foam::contactSystem::accumulate(const scalar weightedDeltaT)
+{
+    for (contactInterface& contact : interfaces_)
+    {
+        contact.accumulate(weightedDeltaT);
+    }
+}
+
+
+void Foam::contactSystem::slide(const scalar middle, const scalar deltaT)
+{
+    const stopwatch watch(forceSeconds_);
+    for (contactInterface& contact : interfaces_)
+    {
+        contact.accumulate(middle);
+        contact.slide(middle, deltaT);
+    }
+    for (solidBody& body : bodies_)
+    {
+        body.finishSlide();
+    }
+}
+
+
+Foam::scalar Foam::contactSystem::closingTime() const
+{
+    scalar least = GREAT;
+    for (const contactInterface& contact : interfaces_)
+    {
+        least = min
+        (
+            least, 1/(3*contact.stageStatistics().closing + VSMALL)
+        );
+    }
+    return least;
+}
+
+
+Foam::label Foam::contactSystem::nClosed() const
+{
+    label n = 0;
+    for (const contactInterface& contact : interfaces_)
+    {
+        const auto& s = contact.stageStatistics();
+        n += s.nStick + s.nSlip;
+    }
+    return returnReduce(n, sumOp<label>());
+}
+
+
+void Foam::contactSystem::keepStart()
+{
+    forAll(bodies_, i)
+    {
+        oldStatus_[i] = bodies_[i].contact().status;
+        oldSlide_[i] = bodies_[i].contact().slide;
+    }
+    for (contactInterface& contact : interfaces_)
+    {
+        contact.keepSums();
+    }
+}
+
+
+void Foam::contactSystem::restoreStart()
+{
+    forAll(bodies_, i)
+    {
+        bodies_[i].contact().status = oldStatus_[i];
+        bodies_[i].contact().slide = oldSlide_[i];
+    }
+    for (contactInterface& contact : interfaces_)
+    {
+        contact.restoreSums();
+    }
+}
+
+
+void Foam::contactSystem::writeRecord(Ostream& os) const
+{
+    for (const contactInterface& contact : interfaces_)
+    {
+        os  << "interface_" << contact.name() << nl << '{' << nl;
+        contact.writeRecord(os);
+        os  << '}' << nl;
+    }
+}
+
+
+void Foam::contactSystem::readRecord(const dictionary& record)
+{
+    for (contactInterface& contact : interfaces_)
+    {
+        const word entry("interface_" + contact.name());
+        if (record.found(entry)) contact.readRecord(record.subDict(entry));
+    }
+}
+
+
+void Foam::contactSystem::report(Ostream& os) const
+{
+    for (const contactInterface& contact : interfaces_)
+    {
+        contact.report(os);
+    }
+    if (interfaces_.empty())
+    {
+        os  << "No contact interfaces" << nl;
+    }
+}
+
+
+void Foam::contactSystem::reportCost
+(
+    Ostream& os,
+    const double stepSeconds
+) const
+{
+    if (interfaces_.empty()) return;
+
+    const scalar percent = 100/max(stepSeconds, VSMALL);
+    os  << "Contact: " << percent*pairingSeconds_
+        << " % of the time of the steps in " << nPairings_
+        << " pairings, " << percent*forceSeconds_ << " % in fluxes"
+        << nl << nl;
+}
+
+
+// ************************************************************************* //
