@@ -86,9 +86,11 @@ def test_failure_with_progress(tutorials, slowSolver):
 
 @pytest.mark.parametrize("number", (signal.SIGINT, signal.SIGKILL))
 def test_interrupted(tutorials, slowSolver, number):
-    """Nothing goes on that holds the output."""
+    """Nothing goes on that holds the output, also where the tests themselves
+    were started with SIGINT ignored, as by a shell's '&'."""
     with subprocess.Popen(
             ["./Allrun"], cwd=tutorials/CASE, start_new_session=True,
+            preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
             stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
             env={**os.environ, **SETTINGS, "PATH": slowSolver}) as process:
