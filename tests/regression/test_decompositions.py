@@ -63,14 +63,25 @@ def test_references(run, figures, scene, name):
     part as far when they are run on one rank and on three (shallowIroning: on
     processors with vectors of 256 and 512 bits, 1.2e-12). So do accelerations
     of the default scheme. Gaps are differences of positions of two bodies: they
-    are as exact as the largest displacement of any."""
+    are as exact as the largest displacement of any. Stresses of a body that no
+    wave has reached are the round-off of its moduli (newtonsCradle: 3e-9 Pa,
+    58 kPa next to it): they are as exact as the largest of any body."""
     reference = json.loads(FILE.read_text())[name]
     ours = norms(run(scene))
     assert sorted(ours) == sorted(reference)
     moved = max(value[0] for key, value in reference.items()
                 if key.endswith("pointD"))
-    scale = {key: moved if key.endswith("contactGap") else value[0]
-             for key, value in reference.items()}
+
+    def scaleOf(key):
+        field = key.split()[-1]
+        if field == "contactGap":
+            return moved
+        if field in ("sigma", "sigmaEq", "pressure"):
+            return max(value[0] for other, value in reference.items()
+                       if other.split()[-1] == field)
+        return reference[key][0]
+
+    scale = {key: scaleOf(key) for key in reference}
     error = {key: max(abs(a - b) for a, b in zip(ours[key], reference[key]))
              / max(scale[key], 1e-12) for key in reference}
     worst = max(error, key=error.get)
