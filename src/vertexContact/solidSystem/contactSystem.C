@@ -6,39 +6,7 @@
 
 #include "contactSystem.H"
 #include "solidBody.H"
-#include <chrono>
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace
-{
-
-//- Adds the time until its end
-class stopwatch
-{
-    double& seconds_;
-    const std::chrono::steady_clock::time_point start_;
-
-public:
-
-    explicit stopwatch(double& seconds)
-    :
-        seconds_(seconds),
-        start_(std::chrono::steady_clock::now())
-    {}
-
-    ~stopwatch()
-    {
-        seconds_ +=
-            std::chrono::duration<double>
-            (
-                std::chrono::steady_clock::now() - start_
-            ).count();
-    }
-};
-
-} // End anonymous namespace
-
+#include "stopwatch.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 

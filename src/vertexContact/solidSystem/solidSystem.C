@@ -6,26 +6,7 @@
 
 #include "solidSystem.H"
 #include "passTimes.H"
-#include <chrono>
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace
-{
-
-using namespace Foam;
-
-double secondsSince(const std::chrono::steady_clock::time_point& start)
-{
-    return
-        std::chrono::duration<double>
-        (
-            std::chrono::steady_clock::now() - start
-        ).count();
-}
-
-} // End anonymous namespace
-
+#include "stopwatch.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -210,7 +191,7 @@ void Foam::solidSystem::keepStart()
 
 void Foam::solidSystem::startStep()
 {
-    const auto start = std::chrono::steady_clock::now();
+    const stopwatch watch(stepSeconds_);
     if (contactProperties_.valid() && contactProperties_->changed)
     {
         readLaws();
@@ -246,13 +227,12 @@ void Foam::solidSystem::startStep()
     }
 
     chooseStep();
-    stepSeconds_ += secondsSince(start);
 }
 
 
 void Foam::solidSystem::finishStep()
 {
-    const auto start = std::chrono::steady_clock::now();
+    const stopwatch watch(stepSeconds_);
     const scalar time = runTime_.value();
     if (integrator_.leapfrog())
     {
@@ -266,7 +246,6 @@ void Foam::solidSystem::finishStep()
     checkEnergy();
 
     ++steps_;
-    stepSeconds_ += secondsSince(start);
 }
 
 

@@ -77,8 +77,6 @@ void Foam::bodyInterface::resize()
 
     if (minus_.body->variational())
     {
-        const contactPairing* pairing = &*pairing_;
-        exchange_.set(UList<const contactPairing*>(&pairing, 1));
         setKernel();
         return;
     }
@@ -556,7 +554,9 @@ Foam::bodyInterface::bodyInterface
     (
         name, dict, readSide(dict, bodies, 0), readSide(dict, bodies, 1)
     )
-{}
+{
+    setExchange();
+}
 
 
 Foam::bodyInterface::bodyInterface
@@ -627,28 +627,21 @@ Foam::Pair<Foam::string> Foam::bodyInterface::namesOf
 
 void Foam::bodyInterface::update(const scalar time, const bool)
 {
-    update
+    const PtrList<contactSurface::snapshot> now
     (
-        time,
-        contactSurface::snapshot
-        (
-            minus_, false, minus_.body->meanVelocity()
-        ),
-        contactSurface::snapshot(plus_, false, plus_.body->meanVelocity())
+        contactSurface::snapshots(sides(), false)
     );
+    pairing_->update(time, now[0], now[1]);
+    setExchange();
+    resize();
+    if (!pairing_->active()) statistics_ = statistics();
 }
 
 
-void Foam::bodyInterface::update
-(
-    const scalar time,
-    const contactSurface::snapshot& minus,
-    const contactSurface::snapshot& plus
-)
+void Foam::bodyInterface::setExchange()
 {
-    pairing_->update(time, minus, plus);
-    resize();
-    if (!pairing_->active()) statistics_ = statistics();
+    const contactPairing* pairing = &*pairing_;
+    exchange_.set(UList<const contactPairing*>(&pairing, 1));
 }
 
 

@@ -111,66 +111,6 @@ Foam::labelList Foam::generalInterface::candidates(const scalar time)
 }
 
 
-Foam::PtrList<Foam::contactSurface::snapshot>
-Foam::generalInterface::snapshots(const boolList& wanted) const
-{
-    DynamicList<label> some;
-    forAll(wanted, i)
-    {
-        if (wanted[i]) some.append(i);
-    }
-
-    // Momentum and mass of the bodies, whose surfaces follow each other
-    List<FixedList<scalar, 4>> motion(some.size());
-    forAll(some, k)
-    {
-        const solidBody& body = *surfaces_[some[k]].body;
-        if (k && surfaces_[some[k - 1]].body == &body)
-        {
-            motion[k] = motion[k - 1];
-            continue;
-        }
-        const vector momentum(body.linearMomentum());
-        for (direction c = 0; c < 3; ++c) motion[k][c] = momentum[c];
-        motion[k][3] = body.mass();
-    }
-    motion = everywhere
-    (
-        motion,
-        [](FixedList<scalar, 4>& a, const FixedList<scalar, 4>& b)
-        {
-            forAll(a, c) a[c] += b[c];
-        }
-    );
-
-    PtrList<contactSurface::snapshot> all(surfaces_.size());
-    List<contactSurface::snapshot::message> shared(some.size());
-    scalarList along(some.size());
-    forAll(some, k)
-    {
-        const FixedList<scalar, 4>& m = motion[k];
-        all.set
-        (
-            some[k],
-            contactSurface::snapshot::ofThisRank
-            (
-                surfaces_[some[k]], true, vector(m[0], m[1], m[2])/m[3]
-            )
-        );
-        shared[k] = all[some[k]].shared();
-    }
-    shared = everywhere(shared, contactSurface::snapshot::join);
-    forAll(some, k)
-    {
-        all[some[k]].setShared(shared[k]);
-        along[k] = all[some[k]].alongAxis();
-    }
-    along = everywhere(along, minEqOp<scalar>());
-    forAll(some, k) all[some[k]].setLeastAlong(along[k]);
-    return all;
-}
-
-
 void Foam::generalInterface::join()
 {
     DynamicList<bodyInterface*> acting(active_.size()), sticking(acting);
@@ -367,8 +307,12 @@ void Foam::generalInterface::update(const scalar time, const bool all)
 
     // Each surface that is paired again is looked at once, and all pairings
     // learn in one exchange whether any rank has overlaps
-    boolList isOld(keys.size(), false), again(keys.size(), false);
-    boolList kept(keys.size(), false), wanted(n, false);
+    boolList isOld, again, kept, overlap, wanted;
+    for (boolList* list : {&isOld, &again, &kept, &overlap})
+    {
+        list->setSize(keys.size(), false);
+    }
+    wanted.setSize(n, false);
     forAll(keys, i)
     {
         while (old < keys_.size() && keys_[old] < keys[i]) ++old;
@@ -380,12 +324,30 @@ void Foam::generalInterface::update(const scalar time, const bool all)
         if (!again[i]) continue;
         wanted[keys[i]/n] = wanted[keys[i] % n] = true;
     }
-    const PtrList<contactSurface::snapshot> now(snapshots(wanted));
+    labelList place(n, -1);
+    DynamicList<contactSide> sides;
+    forAll(wanted, i)
+    {
+        if (!wanted[i]) continue;
+        place[i] = sides.size();
+        sides.append(surfaces_[i]);
+    }
+    const PtrList<contactSurface::snapshot> now
+    (
+        contactSurface::snapshots(sides, true)
+    );
+    const auto minus = [&](const label key) -> const contactSurface::snapshot&
+    {
+        return now[place[key/n]];
+    };
+    const auto plus = [&](const label key) -> const contactSurface::snapshot&
+    {
+        return now[place[key % n]];
+    };
     forAll(keys, i)
     {
-        if (again[i]) parts[i].find(now[keys[i]/n], now[keys[i] % n]);
+        if (again[i]) parts[i].find(minus(keys[i]), plus(keys[i]));
     }
-    boolList overlap(keys.size(), false);
     forAll(keys, i)
     {
         overlap[i] = again[i] && parts[i].pairing().overlaps().size();
@@ -397,7 +359,7 @@ void Foam::generalInterface::update(const scalar time, const bool all)
         {
             parts[i].follow
             (
-                time, now[keys[i]/n], now[keys[i] % n], overlap[i]
+                time, minus(keys[i]), plus(keys[i]), overlap[i]
             );
         }
         if (!isOld[i])

@@ -225,6 +225,14 @@ void outlines
     }
 }
 
+//- Values of each, combined over all processors
+template<class T, class Combine>
+void overRanks(List<T>& values, const Combine& operation)
+{
+    Pstream::listCombineGather(values, operation);
+    Pstream::listCombineScatter(values);
+}
+
 } // End anonymous namespace
 
 
@@ -417,23 +425,6 @@ Foam::contactSurface::snapshot::snapshot
     const vector& velocity
 )
 :
-    snapshot(whole, side, velocity)
-{
-    message m(shared());
-    Pstream::combineGather(m, join);
-    Pstream::combineScatter(m);
-    setShared(m);
-    if (whole) setLeastAlong(returnReduce(alongAxis(), minOp<scalar>()));
-}
-
-
-Foam::contactSurface::snapshot::snapshot
-(
-    const bool whole,
-    const contactSide& side,
-    const vector& velocity
-)
-:
     side(side),
     box(boundBox::invertedBox),
     velocity(velocity),
@@ -467,70 +458,101 @@ Foam::contactSurface::snapshot::snapshot
 }
 
 
-Foam::autoPtr<Foam::contactSurface::snapshot>
-Foam::contactSurface::snapshot::ofThisRank
+Foam::PtrList<Foam::contactSurface::snapshot>
+Foam::contactSurface::snapshots
 (
-    const contactSide& side,
-    const bool whole,
-    const vector& velocity
+    const UList<contactSide>& sides,
+    const bool whole
 )
 {
-    return autoPtr<snapshot>(new snapshot(whole, side, velocity));
-}
+    const label n = sides.size();
+    PtrList<snapshot> all(n);
+    if (!n) return all;
 
-
-Foam::contactSurface::snapshot::message
-Foam::contactSurface::snapshot::shared() const
-{
-    message m;
-    for (direction c = 0; c < 3; ++c)
+    // Momentum and mass of the bodies
+    List<FixedList<scalar, 4>> motion(n);
+    forAll(motion, i)
     {
-        m[c] = box.min()[c];
-        m[3 + c] = box.max()[c];
-        m[6 + c] = axis[c];
+        const solidBody& body = *sides[i].body;
+        if (i && sides[i - 1].body == &body)
+        {
+            motion[i] = motion[i - 1];
+            continue;
+        }
+        const vector momentum(body.linearMomentum());
+        for (direction c = 0; c < 3; ++c) motion[i][c] = momentum[c];
+        motion[i][3] = body.mass();
     }
-    m[9] = speed;
-    return m;
-}
+    overRanks
+    (
+        motion,
+        [](FixedList<scalar, 4>& a, const FixedList<scalar, 4>& b)
+        {
+            forAll(a, c) a[c] += b[c];
+        }
+    );
 
-
-void Foam::contactSurface::snapshot::join(message& a, const message& b)
-{
-    for (direction c = 0; c < 3; ++c)
+    // Box, sum of the normals, speed
+    typedef FixedList<scalar, 10> message;
+    List<message> messages(n);
+    forAll(messages, i)
     {
-        a[c] = min(a[c], b[c]);
-        a[3 + c] = max(a[3 + c], b[3 + c]);
-        a[6 + c] += b[6 + c];
+        const FixedList<scalar, 4>& m = motion[i];
+        all.set
+        (
+            i,
+            new snapshot(sides[i], whole, vector(m[0], m[1], m[2])/m[3])
+        );
+        for (direction c = 0; c < 3; ++c)
+        {
+            messages[i][c] = all[i].box.min()[c];
+            messages[i][3 + c] = all[i].box.max()[c];
+            messages[i][6 + c] = all[i].axis[c];
+        }
+        messages[i][9] = all[i].speed;
     }
-    a[9] = max(a[9], b[9]);
-}
-
-
-void Foam::contactSurface::snapshot::setShared(const message& m)
-{
-    for (direction c = 0; c < 3; ++c)
+    overRanks(messages, [](message& a, const message& b)
     {
-        box.min()[c] = m[c];
-        box.max()[c] = m[3 + c];
-        axis[c] = m[6 + c];
+        for (direction c = 0; c < 3; ++c)
+        {
+            a[c] = min(a[c], b[c]);
+            a[3 + c] = max(a[3 + c], b[3 + c]);
+            a[6 + c] += b[6 + c];
+        }
+        a[9] = max(a[9], b[9]);
+    });
+    forAll(messages, i)
+    {
+        for (direction c = 0; c < 3; ++c)
+        {
+            all[i].box.min()[c] = messages[i][c];
+            all[i].box.max()[c] = messages[i][3 + c];
+            all[i].axis[c] = messages[i][6 + c];
+        }
+        all[i].speed = messages[i][9];
     }
-    speed = m[9];
-    if (mag(axis) >= SMALL) axis /= mag(axis);
-}
+    if (!whole) return all;
 
-
-Foam::scalar Foam::contactSurface::snapshot::alongAxis() const
-{
-    scalar least = 1;
-    for (const outline& o : faces) least = min(least, o.n & axis);
-    return least;
-}
-
-
-void Foam::contactSurface::snapshot::setLeastAlong(const scalar least)
-{
-    // Without an axis: all directions
-    if (mag(axis) >= SMALL) angle = std::acos(max(least, scalar(-1)));
+    // The cone around the mean normal; without one, of all directions
+    scalarList least(n, scalar(1));
+    forAll(least, i)
+    {
+        if (mag(all[i].axis) < SMALL) continue;
+        all[i].axis /= mag(all[i].axis);
+        for (const outline& o : all[i].faces)
+        {
+            least[i] = min(least[i], o.n & all[i].axis);
+        }
+    }
+    overRanks(least, minEqOp<scalar>());
+    forAll(least, i)
+    {
+        if (mag(all[i].axis) >= SMALL)
+        {
+            all[i].angle = std::acos(max(least[i], scalar(-1)));
+        }
+    }
+    return all;
 }
 
 

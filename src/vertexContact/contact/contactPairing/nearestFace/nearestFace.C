@@ -300,12 +300,11 @@ Foam::contactPairings::nearestFace::nearestFace
     leastWidth_ = min(a.least, b.least);
     reach_ = max(a.reach, b.reach);
 
-    update
+    const PtrList<contactSurface::snapshot> now
     (
-        minus.body->mesh().time().value(),
-        contactSurface::snapshot(minus, false, minus.body->meanVelocity()),
-        contactSurface::snapshot(plus, false, plus.body->meanVelocity())
+        contactSurface::snapshots(List<contactSide>({minus, plus}), false)
     );
+    update(minus.body->mesh().time().value(), now[0], now[1]);
 }
 
 
