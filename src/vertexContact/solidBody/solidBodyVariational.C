@@ -175,7 +175,7 @@ void Foam::solidBody::deform()
     const label d = dual_.nDim();
     const label sA = variationalLayout::strideColumn(d);
     const label sC = variationalLayout::strideC(d, x.beta > 0);
-    const label sS = variationalLayout::strideSensor;
+    const label sS = variationalLayout::strideSensor(d);
 
     typedef passTimes times;
     nBad_ = times::timed(times::velocities, [&]

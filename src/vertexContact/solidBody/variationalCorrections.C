@@ -80,51 +80,69 @@ label variationalKernelTemplate<D, finite>::correctLoop
     scalar* rates = d.rates.data();
     lanes closing{}, opening{};
 
-    // In 3D: sums of the first node, in registers as long as it is the same
+    // In 2D and 3D: sums of the first node, in registers as long as it is the
+    // same. In 2D both columns are one row
+    constexpr int wC = D == 2 ? sT : sC;
+    constexpr int nC = D == 2 ? 1 : D;
     struct
     {
         index node = -1;
-        alignas(registerBytes) row<sC == 8 ? 8 : 4> columns[D] = {};
-        row<4> force{}, squares{};
+        alignas(registerBytes) row<wC == 8 ? 8 : 4> columns[nC] = {};
+        row<8> other{};
     } first;
     const auto keep = [&]()
     {
-        if constexpr (D == 3)
+        if constexpr (D > 1)
         {
             if (first.node < 0) return;
             #pragma GCC unroll 3
-            for (int j = 0; j < D; ++j)
+            for (int j = 0; j < nC; ++j)
             {
-                rowAt<sC>(correction + first.node*sT + j*sC) =
+                rowAt<wC>(correction + first.node*sT + j*wC) =
                     first.columns[j];
             }
-            rowAt<4>(rates + first.node*sR) = first.force;
-            rowAt<4>(sensor + first.node*sS) = first.squares;
+            rowAt<8>(sensor + first.node*sS) = first.other;
+        }
+    };
+    const auto come = [&](const index a)
+    {
+        if constexpr (D > 1)
+        {
+            first.node = a;
+            #pragma GCC unroll 3
+            for (int j = 0; j < nC; ++j)
+            {
+                first.columns[j] = rowAt<wC>(correction + a*sT + j*wC);
+            }
+            first.other = rowAt<8>(sensor + a*sS);
         }
     };
 
     completeNodes complete(x.lateNodes);
     label nBad = 0;
-    const auto completeBefore = [&](const label end)
+    // Apart from the loops, for which there are registers enough without it
+    const auto completeBefore = [&](const label end) __attribute__((noinline))
     {
         complete.before(end, [&](const index a)
         {
+            if constexpr (D > 1) takeForce(d, x, a);
             nBad += !moveNode(d, x, a);
         });
     };
 
-    edgeBlocks block(d.dual);
+    edgeBlocks block(d.dual, x.farthest);
     const auto begin = [&](const index a)
     {
         zeroAt<sT>(correction + a*sT);
         zeroAt<sS>(sensor + a*sS);
-        zeroAt<sR>(rates + a*sR);
+        if constexpr (D == 1) zeroAt<sR>(rates + a*sR);
     };
     for (; block.valid(); ++block)
     {
         // All edges before this block are done, and so are the nodes before
-        // its first one
-        if (D < 3) completeBefore(block.nodes()[0]);
+        // its first one, or, in 2D and 3D, that of the last edge
+        if constexpr (D == 1) completeBefore(block.nodes()[0]);
+        else if (block.completes()) completeBefore(first.node);
         block.ahead([&](const index a)
         {
             prefetch<sU>(U + a*sU);
@@ -143,8 +161,8 @@ label variationalKernelTemplate<D, finite>::correctLoop
         {
             for (int i = 0; i < D; ++i)
             {
-                dx[i] = finite ? laneAt(r, i) + U[i] : laneAt(r, i);
-                dv[i] = U[second + i];
+                dx[i] = finite ? laneAt(r, i) + U[atU + i] : laneAt(r, i);
+                dv[i] = U[atU + second + i];
             }
         };
         const auto squaresOf = [&](const edgeMotion<D, lanes>& m)
@@ -220,16 +238,7 @@ label variationalKernelTemplate<D, finite>::correctLoop
                 if (a != first.node)
                 {
                     keep();
-                    completeBefore(a);
-                    first.node = a;
-                    #pragma GCC unroll 3
-                    for (int j = 0; j < D; ++j)
-                    {
-                        first.columns[j] =
-                            rowAt<sC>(correction + a*sT + j*sC);
-                    }
-                    first.force = rowAt<4>(rates + a*sR);
-                    first.squares = rowAt<4>(sensor + a*sS);
+                    come(a);
                 }
                 #pragma GCC unroll 3
                 for (int j = 0; j < D; ++j)
@@ -249,10 +258,10 @@ label variationalKernelTemplate<D, finite>::correctLoop
                         rowAt<4>(Cb + j*sC) += f;
                     }
                 }
-                first.force += force[l];
-                first.squares += squares[l];
-                rowAt<4>(rates + b*sR) -= force[l];
-                rowAt<4>(sensor + b*sS) += squares[l];
+                constexpr row<8> sign = {-1, -1, -1, -1, 1, 1, 1, 1};
+                const row<8> other = joined(-0.5*force[l], squares[l]);
+                first.other += other;
+                rowAt<8>(sensor + b*sS) += sign*other;
             }
         }
         else if constexpr (D == 2)
@@ -264,6 +273,7 @@ label variationalKernelTemplate<D, finite>::correctLoop
                 return rowAt<8>(U + b*sU) - rowAt<8>(U + a*sU);
             });
             setEdge(of);
+            inOrder();
             lanesOf(sum, [&](const int l)
             {
                 const index a = ends[2*l], b = ends[2*l + 1];
@@ -271,6 +281,7 @@ label variationalKernelTemplate<D, finite>::correctLoop
             });
             if constexpr (corrects)
             {
+                inOrder();
                 lanesOf(difference, [&](const int l)
                 {
                     const index a = ends[2*l], b = ends[2*l + 1];
@@ -278,58 +289,80 @@ label variationalKernelTemplate<D, finite>::correctLoop
                 });
             }
 
-            // Corrections and adjoints of the jumps, column by column
-            lanes toNodes[8] = {}, force[D];
+            // What is added to columns, and to forces and squares
+            lanes out[8] = {}, force[D];
             const lanes stiffness = rowAt<nLanes>(k);
             for (int i = 0; i < D; ++i)
             {
-                acceleration[i] = of[2*D + i];
+                acceleration[i] = of[atU + 2*D + i];
                 change[i] = 0.5*(sum[D + i]*dx[0] + sum[sA + D + i]*dx[1]);
                 force[i] =
                     stiffness
                    *(
-                        of[i]
+                        of[atU + i]
                       - 0.5*(sum[i]*laneAt(r, 0) + sum[sA + i]*laneAt(r, 1))
                     );
-                lanes more{};
+                out[D + i] = -0.5*force[i];
                 if constexpr (corrects)
                 {
-                    more =
+                    out[i] =
                         half
                        *(
                             difference[i]*laneAt(r, 0)
                           + difference[sA + i]*laneAt(r, 1)
                         );
                 }
-                for (int j = 0; j < D; ++j)
-                {
-                    if constexpr (corrects)
-                    {
-                        toNodes[j*sC + i] = more*laneAt(C, j);
-                    }
-                    toNodes[j*sC + sC - D + i] = -0.5*force[i]*laneAt(r, j);
-                }
             }
             const edgeMotion<D, lanes> m(dx, dv, change);
             store(motion, m);
-            alignas(registerBytes) row<4> squares[nLanes], forces[nLanes];
+            out[4] = m.jj;
+            out[5] = m.mm;
+            out[6] = squaresOf(m);
+            out[7] = m.mm;
             alignas(registerBytes) row<8> rows[nLanes];
-            fourRowsOf(squares, {m.jj, m.mm, squaresOf(m), lanes{}});
-            fourRowsOf(forces, {force[0], force[1], lanes{}, lanes{}});
-            rowsOf(rows, toNodes);
-            constexpr scalar s = corrects ? -1 : 1;
-            constexpr row<8> sign = {s, s, 1, 1, s, s, 1, 1};
+            rowsOf(rows, out);
+            alignas(registerBytes) row<8> columns[nLanes];
+            if constexpr (corrects)
+            {
+                lanes toA[8];
+                for (int j = 0; j < D; ++j)
+                {
+                    for (int i = 0; i < D; ++i)
+                    {
+                        toA[j*sC + i] = out[i]*laneAt(C, j);
+                        toA[j*sC + second + i] = out[D + i]*laneAt(r, j);
+                    }
+                }
+                rowsOf(columns, toA);
+            }
 
             for (int l = 0; l < block.size(); ++l)
             {
                 const index a = ends[2*l], b = ends[2*l + 1];
-                const row<sT> f = firstOf<sT>(rows[l]);
-                rowAt<sT>(correction + a*sT) += f;
-                rowAt<sT>(correction + b*sT) += firstOf<sT>(sign)*f;
-                rowAt<4>(rates + a*sR) += forces[l];
-                rowAt<4>(rates + b*sR) -= forces[l];
-                rowAt<4>(sensor + a*sS) += squares[l];
-                rowAt<4>(sensor + b*sS) += squares[l];
+                if (a != first.node)
+                {
+                    keep();
+                    come(a);
+                }
+                const row<8>& f = rows[l];
+                constexpr row<8> sign = {-1, -1, 1, 1, -1, -1, 1, 1};
+                constexpr row<8> forceSign = {1, 1, -1, -1, 1, 1, 1, 1};
+                if constexpr (corrects)
+                {
+                    const row<8>& column = columns[l];
+                    first.columns[0] += column;
+                    rowAt<8>(correction + b*sT) += sign*column;
+                }
+                else
+                {
+                    const row<4> column =
+                        row<4>{f[2], f[3], f[2], f[3]}
+                       *row<4>{r[l], r[l], r[nLanes + l], r[nLanes + l]};
+                    first.columns[0] += column;
+                    rowAt<4>(correction + b*sT) += column;
+                }
+                first.other += f;
+                rowAt<8>(sensor + b*sS) += forceSign*f;
             }
         }
         else
@@ -373,6 +406,11 @@ label variationalKernelTemplate<D, finite>::correctLoop
     keep();
     block.rest(begin);
     completeBefore(d.nNodes());
+    if constexpr (D > 1)
+    {
+        // Before the sums over processors: those of the rates follow
+        for (const label a : x.lateNodes) takeForce(d, x, a);
+    }
 
     x.closing = x.fastest = 0;
     for (int l = 0; l < nLanes; ++l)

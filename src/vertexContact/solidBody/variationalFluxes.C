@@ -50,14 +50,13 @@ void variationalKernelTemplate<D, finite>::fluxLoop
 )
 {
     const scalar* P = d.W.cdata() + d.offsetP();
-    const scalar* F = d.state.F.cdata();
     const scalar* H = d.state.H.cdata();
     scalar* sensor = x.sensor.data();
     const scalar* grad = x.grad.cdata();
-    const scalar* U = x.U.cdata();
+    scalar* U = x.U.data();
     scalar* rates = d.rates.data();
     scalar* adjoint = x.adjoint.data();
-    const index sW = d.strideW;
+    const index sW = D == 2 ? sW2 : d.strideW;
     const scalar halfBeta = 0.5*x.beta;
     const scalar halfZp = 0.5*d.rho*d.cp;
     const scalar halfZs = 0.5*d.rho*d.cs;
@@ -67,8 +66,8 @@ void variationalKernelTemplate<D, finite>::fluxLoop
     // factor of waves
     const auto squaresOf = [&](const index a, const index b)
     {
-        const row<4> sa = rowAt<4>(sensor + a*sS);
-        const row<4> sb = rowAt<4>(sensor + b*sS);
+        const row<4> sa = rowAt<4>(sensor + a*sS + atSquares);
+        const row<4> sb = rowAt<4>(sensor + b*sS + atSquares);
         const row<4> sum = sa + sb, least = sa < sb ? sa : sb;
         return std::make_pair
         (
@@ -79,13 +78,13 @@ void variationalKernelTemplate<D, finite>::fluxLoop
     // In 2D and 3D: sums of the first node, in registers as long as it is the
     // same
     constexpr int nX = D == 3 ? 3 : 1;
+    constexpr int wR = D == 3 ? 4 : 2;
     struct
     {
         index node = -1;
         alignas(registerBytes) row<8> X[nX] = {};
-        row<4> rates{};
+        row<wR> rates{};
     } first;
-    constexpr int atRates = D == 3 ? second : 0;
     const auto keep = [&]()
     {
         if constexpr (D > 1)
@@ -96,33 +95,35 @@ void variationalKernelTemplate<D, finite>::fluxLoop
             {
                 rowAt<8>(adjoint + first.node*D*sA + j*8) = first.X[j];
             }
-            rowAt<4>(rates + first.node*sR + atRates) = first.rates;
+            rowAt<wR>(rates + first.node*sR + second) = first.rates;
         }
     };
 
     completeNodes complete(x.lateNodes);
-    const auto completeBefore = [&](const label end)
+    const auto completeBefore = [&](const label end) __attribute__((noinline))
     {
         complete.before(end, [&](const index a) { stressNode(x, d, a); });
     };
 
-    edgeBlocks block(d.dual);
+    edgeBlocks block(d.dual, x.farthest);
     const scalar* factors = d.waveFactor.cdata();
     const bool stretched = d.waveFactor.size();
     const auto begin = [&](const index a)
     {
         zeroAt<sA*D>(adjoint + a*D*sA);
-        sensor[a*sS + 3] = stretched ? -factors[a] : -1;
+        (D == 2 ? U[a*sU] : sensor[a*sS + atSquares + 3]) =
+            stretched ? -factors[a] : -1;
     };
     for (; block.valid(); ++block)
     {
-        if (D == 1) completeBefore(block.nodes()[0]);
+        if constexpr (D == 1) completeBefore(block.nodes()[0]);
+        else if (block.completes()) completeBefore(first.node);
         block.ahead([&](const index a)
         {
             prefetch<nP>(P + a*sW);
-            if constexpr (finite) prefetch<sU>(U + a*sU);
-            if constexpr (moves) prefetch<nP>((D == 3 ? H : F) + a*nP);
-            prefetch<sS>(sensor + a*sS);
+            if constexpr (finite || D == 2) prefetch<sU>(U + a*sU);
+            if constexpr (moves && D == 3) prefetch<nP>(H + a*nP);
+            prefetch<4>(sensor + a*sS + atSquares);
             prefetch<sR>(rates + a*sR);
             begin(a);
         });
@@ -131,37 +132,30 @@ void variationalKernelTemplate<D, finite>::fluxLoop
         const scalar* C = x.area.cdata() + e*D;
         const scalar* r = x.reach.cdata() + e*D;
 
-        // The edges as they are
+        // The edges as they are, in 2D from below
         lanes changed[D];
-        const scalar* dx = r;
-        if constexpr (finite)
+        const scalar* dx =
+            finite ? reinterpret_cast<const scalar*>(changed) : r;
+        if constexpr (finite && D == 1)
         {
-            if constexpr (D == 1)
+            const lanes by = lanesByOne([&](const int l)
             {
-                const lanes by = lanesByOne([&](const int l)
-                {
-                    return
-                        U[index(ends[2*l + 1])*sU] - U[index(ends[2*l])*sU];
-                });
-                changed[0] = laneAt(r, 0) + by;
-            }
-            else
-            {
-                lanes by[4];
-                fourLanesOf(by, [&](const int l)
-                {
-                    return
-                        rowAt<4>(U + index(ends[2*l + 1])*sU)
-                      - rowAt<4>(U + index(ends[2*l])*sU);
-                });
-                for (int i = 0; i < D; ++i) changed[i] = laneAt(r, i) + by[i];
-            }
-            dx = reinterpret_cast<const scalar*>(changed);
+                return
+                    U[index(ends[2*l + 1])*sU] - U[index(ends[2*l])*sU];
+            });
+            changed[0] = laneAt(r, 0) + by;
         }
-        const edgeMotion<D, lanes> m = motionAt<D>
-        (
-            x.motion.cdata() + e*nM, reinterpret_cast<const lanes*>(dx)
-        );
+        else if constexpr (finite && D == 3)
+        {
+            lanes by[4];
+            fourLanesOf(by, [&](const int l)
+            {
+                return
+                    rowAt<4>(U + index(ends[2*l + 1])*sU)
+                  - rowAt<4>(U + index(ends[2*l])*sU);
+            });
+            for (int i = 0; i < D; ++i) changed[i] = laneAt(r, i) + by[i];
+        }
 
         lanes c[D], CC{}, S, M, N, smallerM, factor;
         for (int j = 0; j < D; ++j)
@@ -215,37 +209,35 @@ void variationalKernelTemplate<D, finite>::fluxLoop
             lanes of[8];
             lanesOf(of, [&](const int l)
             {
-                const auto squares = squaresOf(ends[2*l], ends[2*l + 1]);
-                return joined(squares.first, squares.second);
+                const row<8> ofA = rowAt<8>(sensor + index(ends[2*l])*sS);
+                const row<8> ofB = rowAt<8>(sensor + index(ends[2*l + 1])*sS);
+                return leastAt<0x80>(ofA + ofB, ofA, ofB);
             });
-            S = of[0];
-            M = of[1];
-            N = of[2];
-            smallerM = of[3];
-            factor = -of[7];
-            if constexpr (finite || corrects)
-            {
-                lanesOf(of, [&](const int l)
-                {
-                    const index a = ends[2*l], b = ends[2*l + 1];
-                    row<4> sum{}, difference{};
-                    if constexpr (finite)
-                    {
-                        sum = rowAt<4>(F + a*nP) + rowAt<4>(F + b*nP);
-                    }
-                    if constexpr (corrects)
-                    {
-                        difference =
-                            rowAt<4>(P + a*sW) - rowAt<4>(P + b*sW);
-                    }
-                    return joined(sum, difference);
-                });
-            }
+            S = of[4];
+            M = of[5];
+            N = of[6];
+            smallerM = of[7];
             if constexpr (finite)
             {
                 // The in-plane cofactor is a permutation of F
                 c[0] = 0.5*(of[3]*laneAt(C, 0) - of[2]*laneAt(C, 1));
                 c[1] = 0.5*(of[0]*laneAt(C, 1) - of[1]*laneAt(C, 0));
+            }
+            inOrder();
+            lanesOf(of, [&](const int l)
+            {
+                const index a = ends[2*l], b = ends[2*l + 1];
+                const row<4> Ua = rowAt<4>(U + a*sU), Ub = rowAt<4>(U + b*sU);
+                return joined
+                (
+                    leastAt<1>(Ub - Ua, Ua, Ub),
+                    rowAt<4>(P + a*sW) - rowAt<4>(P + b*sW)
+                );
+            });
+            factor = -of[0];
+            for (int i = 0; finite && i < D; ++i)
+            {
+                changed[i] = laneAt(r, i) + of[atU + i];
             }
             for (int i = 0; corrects && i < D; ++i)
             {
@@ -273,6 +265,10 @@ void variationalKernelTemplate<D, finite>::fluxLoop
             more[0] = halfBeta*of[4]*laneAt(C, 0);
         }
 
+        const edgeMotion<D, lanes> m = motionAt<D>
+        (
+            x.motion.cdata() + e*nM, reinterpret_cast<const lanes*>(dx)
+        );
         lanes fast;
         const lanes leftOut = jumpSensor::leftOut<D, lanes>
         (
@@ -322,7 +318,6 @@ void variationalKernelTemplate<D, finite>::fluxLoop
                 if (a != first.node)
                 {
                     keep();
-                    completeBefore(a);
                     first.node = a;
                     #pragma GCC unroll 3
                     for (int j = 0; j < D; ++j)
@@ -373,9 +368,9 @@ void variationalKernelTemplate<D, finite>::fluxLoop
                 }
             }
             alignas(registerBytes) row<8> rows[nLanes];
-            alignas(registerBytes) row<4> other[nLanes];
+            alignas(registerBytes) row<2> force[nLanes];
             rowsOf(rows, toA);
-            fourRowsOf(other, {q, lanes{}, f.s[0], f.s[1]});
+            twoRowsOf(force, f.s[0], f.s[1]);
             for (int l = 0; l < block.size(); ++l)
             {
                 const index a = ends[2*l], b = ends[2*l + 1];
@@ -383,26 +378,24 @@ void variationalKernelTemplate<D, finite>::fluxLoop
                 if (a != first.node)
                 {
                     keep();
-                    completeBefore(a);
                     first.node = a;
                     first.X[0] = rowAt<8>(adjoint + a*D*sA);
-                    first.rates = rowAt<4>(rates + a*sR);
+                    first.rates = rowAt<2>(rates + a*sR + second);
                 }
                 constexpr row<8> sign = {-1, -1, 1, 1, -1, -1, 1, 1};
-                constexpr row<4> isForce = {0, 0, 1, 1};
                 first.X[0] += rows[l];
                 row<8> toB = sign*rows[l];
                 if constexpr (volume)
                 {
                     constexpr row<8> diagonal = {0, 0, 1, 0, 0, 0, 0, 1};
-                    const row<8> ql = other[l][0]*diagonal;
+                    const row<8> ql = q[l]*diagonal;
                     first.X[0] += ql;
                     toB -= ql;
                 }
                 rowAt<8>(Xb) += toB;
-                const row<4> s = isForce*other[l];
+                const row<2>& s = force[l];
                 first.rates += s;
-                rowAt<4>(rates + b*sR) -= s;
+                rowAt<2>(rates + b*sR + second) -= s;
             }
         }
         else
@@ -472,7 +465,7 @@ void variationalKernelTemplate<D, finite>::sumWaves
     index node = -1;
     row<sK> sum{};
 
-    edgeBlocks block(d.dual);
+    edgeBlocks block(d.dual, x.farthest);
     const auto begin = [&](const index a) { zeroAt<sK>(waves + a*sK); };
     for (; block.valid(); ++block)
     {

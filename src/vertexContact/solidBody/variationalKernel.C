@@ -49,7 +49,7 @@ Foam::variationalData::variationalData
     (
         d.nNodes()*d.nDim()*variationalLayout::strideC(d.nDim(), beta > 0)
     ),
-    sensor(d.nNodes()*variationalLayout::strideSensor),
+    sensor(d.nNodes()*variationalLayout::strideSensor(d.nDim())),
     perEdges(d.nNodes(), Zero),
     perV(d.nNodes()),
     acceleration(d.nDim() > 1 ? d.nNodes()*d.nDim() : label(0), Zero),
@@ -72,6 +72,7 @@ Foam::variationalData::variationalData
             const scalar C = d.edgeArea()[e*nDim + j];
             const label a = d.dual.edgeNodes()[2*e];
             const label b = d.dual.edgeNodes()[2*e + 1];
+            farthest = max(farthest, b - a);
             const scalar r =
                 d.dual.nodePosition()[b*nDim + j]
               - d.dual.nodePosition()[a*nDim + j];

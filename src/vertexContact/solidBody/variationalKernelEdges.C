@@ -13,6 +13,7 @@ Description
 
 #include "variationalKernelTemplate.H"
 #include "edgeBlocks.H"
+#include "edgeRows.H"
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
@@ -34,7 +35,7 @@ label variationalKernelTemplate<D, finite>::gradients
 
     // Edges, and pairs, are sorted by their first node: with the last of its
     // own, all of a node are done
-    index e = 0, pair = 0, asked = 0, met = 0;
+    index e = 0, pair = 0, met = 0;
     completeNodes complete(x.lateNodes);
     label nBad = 0;
     const auto completeBefore = [&](const label end)
@@ -44,24 +45,73 @@ label variationalKernelTemplate<D, finite>::gradients
             nBad += !deformNode(x, a);
         });
     };
-    const auto meet = [&](const index b)
+    const auto meet = [&](const index end)
     {
-        for (; met <= b; ++met)
+        for (; met < end; ++met)
         {
             prefetch<sU>(U + met*sU);
             zeroAt<sA*D>(grad + met*D*sA);
         }
     };
+    const index n = d.nNodes();
+    if constexpr (D == 2)
+    {
+        // Both columns in a row, twice what they are until the node is complete
+        const auto twice = [&](const index a)
+        {
+            return twiceAt(U + a*sU + atU);
+        };
+        label nextLate = 0;
+        const label nLate = x.lateNodes.size();
+        for (index a = 0; a < d.nNodes(); ++a)
+        {
+            meet(min(a + x.farthest + nodesAhead, n));
+            const row<8> Ua = twice(a);
+            row<8> sum = rowAt<8>(grad + a*8);
+            for (; pair < nPairs && x.pairNodes[2*pair] == a; ++pair)
+            {
+                const index b = x.pairNodes[2*pair + 1];
+                const scalar* B = x.pairArea.cdata() + D*pair;
+                meet(b + 1);
+                const row<8> change = (twice(b) - Ua)*halves(2*B[0], 2*B[1]);
+                sum += change;
+                rowAt<8>(grad + b*8) -= change;
+            }
+            for (; e < nEdges && edge[2*e] == a; ++e)
+            {
+                const index b = edge[2*e + 1];
+                const scalar* C = variationalLayout::ofEdge<D>(x.area, e);
+                const row<8> change = (twice(b) - Ua)*halves(C[0], C[nLanes]);
+                sum += change;
+                rowAt<8>(grad + b*8) += change;
+            }
+            sum *= 0.5*x.perV[a];
+            if (nextLate < nLate && x.lateNodes[nextLate] == a)
+            {
+                ++nextLate;
+                rowAt<8>(grad + a*8) = sum;
+            }
+            else if constexpr (finite)
+            {
+                nBad += !deformRow(x, a, sum);
+            }
+            else
+            {
+                rowAt<8>(grad + a*8) = sum;
+            }
+        }
+        return nBad;
+    }
     for (index a = 0; a < d.nNodes(); ++a)
     {
-        meet(a);
+        meet(min(a + x.farthest + nodesAhead, n));
         scalar* ga = grad + a*D*sA;
         const row<sA> Ua = rowAt<sA>(U + a*sU);
         for (; pair < nPairs && x.pairNodes[2*pair] == a; ++pair)
         {
             const index b = x.pairNodes[2*pair + 1];
             const scalar* B = x.pairArea.cdata() + D*pair;
-            meet(b);
+            meet(b + 1);
             const row<sA> change = rowAt<sA>(U + b*sU) - Ua;
             for (int j = 0; j < D; ++j)
             {
@@ -74,9 +124,6 @@ label variationalKernelTemplate<D, finite>::gradients
         for (int j = 0; j < D; ++j) sumA[j] = rowAt<sA>(ga + j*sA);
         for (; e < nEdges && edge[2*e] == a; ++e)
         {
-            const index soon = min(e + prefetchDistance, index(nEdges - 1));
-            for (; asked <= soon; ++asked) meet(edge[2*asked + 1]);
-
             const index b = edge[2*e + 1];
             scalar* gb = grad + b*D*sA;
             const scalar* C = variationalLayout::ofEdge<D>(x.area, e);
@@ -119,7 +166,7 @@ scalar variationalKernelTemplate<D, finite>::jumpEnergy
         scalar square = 0;
         for (int i = 0; i < D; ++i)
         {
-            scalar jump = U[b*sU + i] - U[a*sU + i];
+            scalar jump = U[b*sU + atU + i] - U[a*sU + atU + i];
             for (int j = 0; j < D; ++j)
             {
                 jump -=
@@ -166,6 +213,39 @@ void variationalKernelTemplate<D, finite>::forces
     }
 
     index e = 0, farthest = -1;
+    if constexpr (D == 2)
+    {
+        // Both columns in a row
+        for (index a = 0; a < d.nNodes(); ++a)
+        {
+            const row<8> Ta = rowAt<8>(T + a*8);
+            row<8> both{};
+            for (; e < nEdges && edge[2*e] == a; ++e)
+            {
+                const index soon =
+                    edge[2*min(e + prefetchDistance, index(nEdges - 1)) + 1];
+                if (soon > farthest)
+                {
+                    farthest = soon;
+                    prefetch<8>(T + soon*8);
+                    prefetch<sR>(rates + soon*sR);
+                }
+                const index b = edge[2*e + 1];
+                const scalar* C = variationalLayout::ofEdge<D>(x.area, e);
+                const row<8> f =
+                    (Ta + rowAt<8>(T + b*8))*halves(C[0], C[nLanes]);
+                both += f;
+                rowAt<4>(rates + b*sR) -= 0.5*(lower(f) + upper(f));
+            }
+            scalar* rate = rates + a*sR;
+            const row<4> sum =
+                x.perV[a]
+               *(rowAt<4>(rate) + 0.5*(lower(both) + upper(both)));
+            rowAt<4>(rate) =
+                row<4>{sum[0] + sum[2], sum[1] + sum[3], sum[2], sum[3]};
+        }
+        return;
+    }
     for (index a = 0; a < d.nNodes(); ++a)
     {
         row<w> Ta[D], sum = rowAt<w>(rates + a*sR);

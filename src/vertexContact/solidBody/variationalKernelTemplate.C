@@ -90,6 +90,36 @@ label variationalKernelTemplate<D, finite>::move
     scalar* rush = x.acceleration.data();
     scalar* oldRush = x.oldAcceleration.data();
     label nBad = 0;
+    if constexpr (D == 2)
+    {
+        // Both components of a node at once
+        typedef std::int64_t twoCounts __attribute__((vector_size(16)));
+        twoCounts good{};
+        scalar* U = x.U.data();
+        scalar* W = d.W.data();
+        const scalar* damping = d.rates.cdata() + second;
+        const index n = d.nNodes();
+        constexpr index sW = sW2;
+        for (index a = 0; a < n; ++a)
+        {
+            const index k = a*D;
+            const row<2> v = perRho*rowAt<2>(lm + k);
+            const row<2> change = rowAt<2>(lm + k) - rowAt<2>(oldLm + k);
+            const row<2> u = rowAt<2>(disp + k);
+            const row<2> acceleration =
+                perRho*(perHalf*change - rowAt<2>(damping + a*sR));
+            rowAt<2>(oldDisp + k) = u;
+            rowAt<2>(disp + k) = u + deltaT*v;
+            rowAt<2>(oldRush + k) = rowAt<2>(rush + k);
+            rowAt<2>(rush + k) = acceleration;
+            rowAt<2>(W + a*sW) = v;
+            rowAt<2>(U + a*sU + atU) = u + deltaT*v;
+            rowAt<2>(U + a*sU + atU + D) = v;
+            rowAt<2>(U + a*sU + atU + 2*D) = acceleration;
+            good -= twoCounts((v < VGREAT) & (v > -VGREAT));
+        }
+        return 2*n - label(good[0] + good[1]);
+    }
     for (index a = 0; a < d.nNodes(); ++a)
     {
         const scalar* damping = d.rates.cdata() + a*sR + second;

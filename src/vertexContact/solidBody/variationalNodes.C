@@ -9,6 +9,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "variationalKernelTemplate.H"
+#include "edgeRows.H"
 #include "vertexKernel.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -29,7 +30,7 @@ inline label variationalKernelTemplate<D, finite>::collectNode
     const scalar* disp = d.state.disp.cdata() + a*D;
     const scalar* rush = x.acceleration.cdata() + a*D;
     scalar* W = d.W.data() + a*d.strideW;
-    scalar* U = x.U.data() + a*sU;
+    scalar* U = x.U.data() + a*sU + atU;
     label nBad = 0;
     for (int i = 0; i < D; ++i)
     {
@@ -48,6 +49,32 @@ inline label variationalKernelTemplate<D, finite>::collectNode
 
 
 template<int D, bool finite>
+inline bool variationalKernelTemplate<D, finite>::deformRow
+(
+    variationalData& x,
+    const index a,
+    const row<8>& g
+)
+{
+    // Inverse of F, from the derivatives of the displacement in both columns
+    const row<4> H = picked<5, 4, 1, 0>(g)*row<4>{1, -1, -1, 1}
+      + row<4>{1, 0, 0, 1};
+    const scalar det = H[0]*H[3] - H[1]*H[2];
+    const row<4> inverse = H*(1/det);
+    rowAt<4>(x.inverse.data() + a*nP) = inverse;
+
+    // L_ij = sum_k dv_i/dX_k inverse_kj, and the displacement's as they are
+    constexpr row<8> one = {1, 1, 0, 0, 1, 1, 0, 0};
+    const row<8> per = joined(inverse, row<4>{});
+    rowAt<8>(x.grad.data() + a*D*sA) =
+        picked<0, 1, 2, 3, 4, 5, 2, 3>(g)
+       *(one + picked<8, 8, 0, 0, 8, 8, 1, 1>(per))
+      + picked<8, 8, 6, 7, 8, 8, 6, 7>(g)*picked<8, 8, 2, 2, 8, 8, 3, 3>(per);
+    return det > 0;
+}
+
+
+template<int D, bool finite>
 inline bool variationalKernelTemplate<D, finite>::deformNode
 (
     variationalData& x,
@@ -59,6 +86,10 @@ inline bool variationalKernelTemplate<D, finite>::deformNode
         return true;
     }
     scalar* g = x.grad.data() + a*D*sA;
+    if constexpr (D == 2 && finite)
+    {
+        return deformRow(x, a, rowAt<8>(g));
+    }
     SolidTensor<D> F;
     for (int i = 0; i < D; ++i)
     {
@@ -98,6 +129,27 @@ inline bool variationalKernelTemplate<D, finite>::deformNode
 
 
 template<int D, bool finite>
+inline void variationalKernelTemplate<D, finite>::takeForce
+(
+    vertexData& d,
+    const variationalData& x,
+    const index a
+)
+{
+    const row<4> force = -2*rowAt<4>(x.sensor.cdata() + a*sS);
+    scalar* rates = d.rates.data() + a*sR;
+    if constexpr (D == 2)
+    {
+        rowAt<4>(rates) = row<4>{force[2], force[3], 0, 0};
+    }
+    else if constexpr (D == 3)
+    {
+        rowAt<8>(rates) = joined(threeOf(force), row<4>{});
+    }
+}
+
+
+template<int D, bool finite>
 inline bool variationalKernelTemplate<D, finite>::moveNode
 (
     vertexData& d,
@@ -107,17 +159,30 @@ inline bool variationalKernelTemplate<D, finite>::moveNode
 {
     scalar* F = d.state.F.data();
     const scalar perV = x.perV[a];
-    for (int k = 0; k < 3; ++k) x.sensor[a*sS + k] *= x.perEdges[a];
+    scalar* sensor = x.sensor.data() + a*sS;
+    const row<4> squares = rowAt<4>(sensor + atSquares)*x.perEdges[a];
     const scalar* g = x.grad.cdata() + a*D*sA;
     constexpr int sC = variationalLayout::strideC(D, true);
     const scalar* c = x.correction.cdata() + a*D*sC;
-    for (int i = 0; i < D; ++i)
+    if constexpr (D == 2)
     {
-        for (int j = 0; j < D; ++j)
+        row<8> sum = rowAt<8>(g);
+        if (x.beta > 0) sum += perV*rowAt<8>(c);
+        const row<4> f = picked<0, 4, 1, 5>(sum) + row<4>{1, 0, 0, 1};
+        rowAt<4>(F + a*nP) = f;
+        rowAt<8>(sensor) = joined(f, squares);
+    }
+    else
+    {
+        rowAt<4>(sensor + atSquares) = squares;
+        for (int i = 0; i < D; ++i)
         {
-            scalar sum = g[j*sA + i];
-            if (x.beta > 0) sum += perV*c[j*sC + i];
-            F[a*nP + i*D + j] = (i == j ? 1 : 0) + sum;
+            for (int j = 0; j < D; ++j)
+            {
+                scalar sum = g[j*sA + i];
+                if (x.beta > 0) sum += perV*c[j*sC + i];
+                F[a*nP + i*D + j] = (i == j ? 1 : 0) + sum;
+            }
         }
     }
 
@@ -156,10 +221,43 @@ inline void variationalKernelTemplate<D, finite>::stressNode
     const index a
 )
 {
-    const scalar* P = d.W.cdata() + d.offsetP() + a*d.strideW;
+    const scalar* P =
+        d.W.cdata() + d.offsetP()
+      + a*(D == 2 ? sW2 : d.strideW);
     const index sC = variationalLayout::strideC(D, x.beta > 0);
     const scalar perV = x.perV[a];
     scalar* T = x.adjoint.data() + a*D*sA;
+    if constexpr (D == 2)
+    {
+        // Each row both columns; without the jumps' columns if beta = 0
+        row<8> sum = rowAt<8>(T);
+        const row<8> jump =
+            x.beta > 0
+          ? picked<2, 3, 8, 8, 6, 7, 8, 8>
+            (
+                rowAt<8>(x.correction.cdata() + a*8)
+            )
+          : picked<0, 1, 8, 8, 2, 3, 8, 8>
+            (
+                joined(rowAt<4>(x.correction.cdata() + a*4), row<4>{})
+            );
+        if constexpr (finite)
+        {
+            // Z (G x)^-T
+            constexpr row<8> one = {1, 1, 0, 0, 1, 1, 0, 0};
+            const row<8> inverse =
+                joined(rowAt<4>(x.inverse.cdata() + a*nP), row<4>{});
+            sum =
+                picked<0, 1, 2, 3, 4, 5, 2, 3>(sum)
+               *(one + picked<8, 8, 0, 0, 8, 8, 2, 2>(inverse))
+              + picked<8, 8, 6, 7, 8, 8, 6, 7>(sum)
+               *picked<8, 8, 1, 1, 8, 8, 3, 3>(inverse);
+        }
+        rowAt<8>(T) =
+            picked<0, 1, 8, 8, 2, 3, 8, 8>(joined(rowAt<4>(P), row<4>{}))
+          + perV*(sum + jump);
+        return;
+    }
     if constexpr (D > 1)
     {
         const scalar* jump =
