@@ -22,9 +22,9 @@ import searchPath
 
 from smallCases import RUBBER, Body, SmallCase, interface
 
-CONTROL = {"adjustTimeStep": "no", "functions": {}, "writeControl": "none",
-           "timePrecision": 12, "deltaT": 1e-5, "endTime": 3.5e-5,
-           "logInterval": 1}
+CONTROL = {"preset": "balanced", "adjustTimeStep": "no", "functions": {},
+           "writeControl": "none", "timePrecision": 12, "deltaT": 1e-5,
+           "endTime": 3.5e-5, "logInterval": 1}
 
 
 def one(folder, cells):
