@@ -130,7 +130,7 @@ label variationalKernelTemplate<D, finite>::correctLoop
         });
     };
 
-    edgeBlocks block(d.dual, x.farthest);
+    edgeBlocks block(d.dual, x.toMeet);
     const auto begin = [&](const index a)
     {
         zeroAt<sT>(correction + a*sT);

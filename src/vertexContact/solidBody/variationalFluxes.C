@@ -105,7 +105,7 @@ void variationalKernelTemplate<D, finite>::fluxLoop
         complete.before(end, [&](const index a) { stressNode(x, d, a); });
     };
 
-    edgeBlocks block(d.dual, x.farthest);
+    edgeBlocks block(d.dual, x.toMeet);
     const scalar* factors = d.waveFactor.cdata();
     const bool stretched = d.waveFactor.size();
     const auto begin = [&](const index a)
@@ -465,7 +465,7 @@ void variationalKernelTemplate<D, finite>::sumWaves
     index node = -1;
     row<sK> sum{};
 
-    edgeBlocks block(d.dual, x.farthest);
+    edgeBlocks block(d.dual, x.toMeet);
     const auto begin = [&](const index a) { zeroAt<sK>(waves + a*sK); };
     for (; block.valid(); ++block)
     {

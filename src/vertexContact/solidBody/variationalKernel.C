@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "variationalKernelTemplate.H"
+#include "edgeBlocks.H"
 #include "ListOps.H"
 #include <cmath>
 
@@ -38,6 +39,7 @@ Foam::variationalData::variationalData
     epsilon(epsilon),
     frontEpsilon(frontEpsilon),
     smoothed(smoothed),
+    toMeet(edgeBlocks::toMeet(d.dual)),
     area(inBlocks(d, d.nDim())),
     reach(inBlocks(d, d.nDim())),
     motion(inBlocks(d, variationalLayout::motionOf(d.nDim()))),
@@ -72,7 +74,6 @@ Foam::variationalData::variationalData
             const scalar C = d.edgeArea()[e*nDim + j];
             const label a = d.dual.edgeNodes()[2*e];
             const label b = d.dual.edgeNodes()[2*e + 1];
-            farthest = max(farthest, b - a);
             const scalar r =
                 d.dual.nodePosition()[b*nDim + j]
               - d.dual.nodePosition()[a*nDim + j];

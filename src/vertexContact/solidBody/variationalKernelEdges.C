@@ -53,7 +53,6 @@ label variationalKernelTemplate<D, finite>::gradients
             zeroAt<sA*D>(grad + met*D*sA);
         }
     };
-    const index n = d.nNodes();
     if constexpr (D == 2)
     {
         // Both columns in a row, twice what they are until the node is complete
@@ -65,7 +64,7 @@ label variationalKernelTemplate<D, finite>::gradients
         const label nLate = x.lateNodes.size();
         for (index a = 0; a < d.nNodes(); ++a)
         {
-            meet(min(a + x.farthest + nodesAhead, n));
+            meet(e < nEdges ? x.toMeet[e/nLanes] : d.nNodes());
             const row<8> Ua = twice(a);
             row<8> sum = rowAt<8>(grad + a*8);
             for (; pair < nPairs && x.pairNodes[2*pair] == a; ++pair)
@@ -80,6 +79,7 @@ label variationalKernelTemplate<D, finite>::gradients
             for (; e < nEdges && edge[2*e] == a; ++e)
             {
                 const index b = edge[2*e + 1];
+                meet(b + 1);
                 const scalar* C = variationalLayout::ofEdge<D>(x.area, e);
                 const row<8> change = (twice(b) - Ua)*halves(C[0], C[nLanes]);
                 sum += change;
@@ -104,7 +104,7 @@ label variationalKernelTemplate<D, finite>::gradients
     }
     for (index a = 0; a < d.nNodes(); ++a)
     {
-        meet(min(a + x.farthest + nodesAhead, n));
+        meet(e < nEdges ? x.toMeet[e/nLanes] : d.nNodes());
         scalar* ga = grad + a*D*sA;
         const row<sA> Ua = rowAt<sA>(U + a*sU);
         for (; pair < nPairs && x.pairNodes[2*pair] == a; ++pair)
@@ -125,6 +125,7 @@ label variationalKernelTemplate<D, finite>::gradients
         for (; e < nEdges && edge[2*e] == a; ++e)
         {
             const index b = edge[2*e + 1];
+            meet(b + 1);
             scalar* gb = grad + b*D*sA;
             const scalar* C = variationalLayout::ofEdge<D>(x.area, e);
             const row<sA> half = 0.5*(rowAt<sA>(U + b*sU) - Ua);

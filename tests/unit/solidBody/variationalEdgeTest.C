@@ -174,15 +174,8 @@ TEST_CASE("nodes are met before their edges, once", "[variational][serial]")
     );
     label nMet = 0, nEdges = 0, wrong = 0;
     const auto meet = [&](const label a) { wrong += a != nMet++; };
-    label farthest = 0;
-    for (label e = 0; e < dual.nEdges(); ++e)
-    {
-        farthest = max
-        (
-            farthest, dual.edgeNodes()[2*e + 1] - dual.edgeNodes()[2*e]
-        );
-    }
-    edgeBlocks edges(dual, farthest);
+    const labelList toMeet(edgeBlocks::toMeet(dual));
+    edgeBlocks edges(dual, toMeet);
     for (; edges.valid(); ++edges)
     {
         edges.ahead(meet);
