@@ -211,7 +211,7 @@ void variationalKernelTemplate<D, finite>::fluxLoop
             {
                 const row<8> ofA = rowAt<8>(sensor + index(ends[2*l])*sS);
                 const row<8> ofB = rowAt<8>(sensor + index(ends[2*l + 1])*sS);
-                return leastAt<0x80>(ofA + ofB, ofA, ofB);
+                return leastAt<0x80>(row<8>(ofA + ofB), ofA, ofB);
             });
             S = of[4];
             M = of[5];
@@ -228,11 +228,12 @@ void variationalKernelTemplate<D, finite>::fluxLoop
             {
                 const index a = ends[2*l], b = ends[2*l + 1];
                 const row<4> Ua = rowAt<4>(U + a*sU), Ub = rowAt<4>(U + b*sU);
-                return joined
-                (
-                    leastAt<1>(Ub - Ua, Ua, Ub),
-                    rowAt<4>(P + a*sW) - rowAt<4>(P + b*sW)
-                );
+                row<4> difference{};
+                if constexpr (corrects)
+                {
+                    difference = rowAt<4>(P + a*sW) - rowAt<4>(P + b*sW);
+                }
+                return joined(leastAt<1>(row<4>(Ub - Ua), Ua, Ub), difference);
             });
             factor = -of[0];
             for (int i = 0; finite && i < D; ++i)

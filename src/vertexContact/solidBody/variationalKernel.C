@@ -187,7 +187,7 @@ void Foam::variationalData::joinPairs(const label nDim)
 std::size_t Foam::variationalData::bytes() const
 {
     return
-        sizeof(label)*std::size_t(pairNodes.size())
+        sizeof(label)*std::size_t(pairNodes.size() + toMeet.size())
       + sizeof(scalar)
        *std::size_t
         (

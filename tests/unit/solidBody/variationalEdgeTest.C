@@ -244,6 +244,44 @@ TEST_CASE("halves of rows, and rows of four", "[lanes][serial]")
 }
 
 
+TEST_CASE("chosen scalars of rows, and rows of two", "[lanes][serial]")
+{
+    const row<8> r = {0, 1, 2, 3, 4, 5, 6, 7};
+    const row<8> other = {7, 6, 5, 4, 3, 2, 1, 0}, high = r + 10;
+    const row<4> few = picked<5, 8, 0, 5>(r);
+    const row<8> all = picked<8, 0, 8, 7, 1, 2, 3, 4>(r);
+    const scalar four[] = {5, 0, 0, 5}, eight[] = {0, 0, 0, 7, 1, 2, 3, 4};
+    const row<8> least = leastAt<0x81>(high, r, other);
+    const row<4> leastOfFour =
+        leastAt<0x5>(lower(high), lower(other), lower(r));
+    const scalar* at = reinterpret_cast<const scalar*>(&r);
+    const row<8> twice = twiceAt(at + 3);
+    for (int k = 0; k < 8; ++k)
+    {
+        CHECK(all[k] == eight[k]);
+        CHECK(least[k] == (k == 0 || k == 7 ? 0 : k + 10));
+        CHECK(twice[k] == 3 + k % 4);
+        if (k > 3) continue;
+        CHECK(few[k] == four[k]);
+        CHECK(leastOfFour[k] == (k == 0 || k == 2 ? k : k + 10));
+    }
+
+    lanes first, last;
+    for (int l = 0; l < nLanes; ++l)
+    {
+        first[l] = l;
+        last[l] = 100 + l;
+    }
+    row<2> rows[nLanes];
+    twoRowsOf(rows, first, last);
+    for (int l = 0; l < nLanes; ++l)
+    {
+        CHECK(rows[l][0] == l);
+        CHECK(rows[l][1] == 100 + l);
+    }
+}
+
+
 TEST_CASE("values of nodes that are some scalars apart", "[lanes][serial]")
 {
     scalar values[5*nLanes];
