@@ -400,6 +400,9 @@ CASES = {
     "interval that is a word": (
         edit("system/controlDict", {"logInterval": "often"}),
         ("controlDict", "logInterval", "often", "number")),
+    "no iterations of contact": (
+        edit("system/controlDict", {"contactIterations": 0}),
+        ("controlDict", "contactIterations", "0", "positive")),
     "preset that is a dictionary": (
         control("preset { balanced; }"), ("controlDict", "preset")),
     "region of mass scaling": (

@@ -33,7 +33,7 @@ def checkCradle(case, figures, title, late, atEnd, peak, release):
         f.atMost("velocity of the fourth / chain of Hertz",
                  v[-1, 3]/hertzChain.chain(times[-1])[1][-1, 3], 0.85)
         f.atMost("energy lost / initial", 1 - E[-1]/E[0], 0.01)
-        f.atMost("largest energy / initial - 1", E.max()/E[0] - 1, 2e-3)
+        f.atMost("largest energy / initial - 1", E.max()/E[0] - 1, 1e-6)
         f.atMost("largest rise of the energy less works / initial",
                  rise(case.ownEnergy), 1e-5)
         f.atMost("change of the momentum / initial",

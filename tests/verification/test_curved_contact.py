@@ -150,8 +150,8 @@ def test_turning_in_each_other(tmp_path, figures):
                 f.atMost(f"{name}: most that contact gives / kinetic energy",
                          case.energies["total:contactWork"].max()/kinetic[0],
                          1e-6)
-        f.within("4 cells: spin lost", lost[4, 0.1], 0.062, 0.01)
-        f.within("4 cells, updateDistance 0.4", lost[4, 0.4], 0.108, 0.02)
+        f.within("4 cells: spin lost", lost[4, 0.1], 0.050, 0.01)
+        f.within("4 cells, updateDistance 0.4", lost[4, 0.4], 0.080, 0.02)
         for distance in 0.1, 0.4:
             f.atLeast(f"loss of 4 / of 8 cells, {distance}",
                       lost[4, distance]/lost[8, distance], 3)

@@ -24,11 +24,11 @@ def test_longer_steps(name, mesh, figures):
     full, less = both(name, mesh)
     with figures(f"dissipation at fronts 0.25, {CASES[name].title}") as f:
         f.atMost("steps / default", float(less["steps"])/float(full["steps"]),
-                 0.67)
+                 0.83)
         f.atMost("error / default", float(less["error"])/float(full["error"]),
                  1.02)
         f.atMost("largest rise of the energy / initial", float(less["rise"]),
-                 5e-3)
+                 1e-3)
 
 
 def test_fronts_overshoot(figures):

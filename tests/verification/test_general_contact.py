@@ -7,26 +7,8 @@ import numpy as np
 import pytest
 
 from caseTools import checked
-from smallCases import Body, SmallCase, coulomb, interface
-
-MATERIAL = {"type": "neoHookean", "rho": 1000, "E": 1e6, "nu": 0.3}
-END = 0.05
-
-
-def squares(gap=0.05):
-    """Four blocks of a metre on a grid of two by two that fly to the middle:
-    each meets two others, and all four their corners."""
-    bodies = []
-    for i in range(2):
-        for j in range(2):
-            sides = {("right", "left")[i]: "contact",
-                     ("top", "bottom")[j]: "contact"}
-            bodies.append(Body(
-                cells=(4 + i, 4 + j), name=f"square{i}{j}", size=(1, 1, 1),
-                start=(i*(1 + gap), j*(1 + gap), 0), sides=sides,
-                material=MATERIAL, velocity=(2 - 4*i, 1.5 - 3*j, 0)))
-    return bodies
-
+from contactScenes import END, PLACES, difference, solve, solveOn, squares
+from smallCases import SmallCase, coulomb, interface
 
 NAMED = {
     "bottom": interface(("square00", "right"), ("square10", "left"),
@@ -47,19 +29,6 @@ def case(folder, interfaces, bodies=None, **control):
         control={"maxCo": 0.9, **control})
 
 
-def solve(case, ranks=1):
-    code, log = case.attempt(ranks)
-    if code:
-        raise RuntimeError(log)
-    return log
-
-
-def difference(a, b):
-    """Of the energies at the end, over the initial one."""
-    return max(abs(a.energies[f"total:{e}"][-1] - b.energies[f"total:{e}"][-1])
-               for e in ("kinetic", "strain"))/a.totalEnergy[0]
-
-
 def test_as_named(tmp_path, figures):
     """Pairs, found by themselves, are those of the named interfaces."""
     named = case(tmp_path/"named", NAMED)
@@ -76,31 +45,6 @@ def test_as_named(tmp_path, figures):
         for name, other in ("all", general), ("sets", sets):
             f.atMost(f"{name}: difference of energies / initial energy",
                      difference(named, other), 1e-9)
-
-
-# Ranks by cell: a body as a whole, cut in two, on all; of four ranks one has no
-# part of a surface in contact. Then two bodies that touch on one rank
-PLACES = {
-    "mixed": (4, {"square00": lambda i, j: 0, "square10": lambda i, j: 1,
-                  "square01": lambda i, j: 1 + (j > 1),
-                  "square11": lambda i, j: 3 if min(i, j) > 2
-                  else (i + j) % 3}),
-    "whole": (3, {"square00": lambda i, j: 2, "square10": lambda i, j: 2,
-                  "square01": lambda i, j: 0, "square11": lambda i, j: 1})}
-
-
-def solveOn(case, ranks, places):
-    """With each cell on the rank that is asked for."""
-    for body in case.bodies:
-        nx, ny = body.cells
-        cells = [places[body.name](k % nx, k//nx) for k in range(nx*ny)]
-        (case.path/"constant"/body.name/"cellDecomposition").write_text(
-            "FoamFile { version 2.0; format ascii; class labelList; "
-            "object cellDecomposition; }\n"
-            f"{len(cells)} ({' '.join(map(str, cells))})\n")
-    case.decompose(ranks, "manual")
-    checked(["mpirun", "-np", str(ranks), "vertexContactFoam", "-parallel"],
-            case.path)
 
 
 @pytest.mark.parametrize("places", ("metis", *PLACES))

@@ -5,21 +5,13 @@ import numpy as np
 import pytest
 
 from caseTools import DEFAULT, execute
+from contactScenes import rigid, spinning, toolAndBlock
 from smallCases import (FLOOR, RUBBER, Body, SmallCase, coulomb, interface,
                         largest, table)
 
 # The run of one rigid region has no step of its own
 FIXED = {"adjustTimeStep": "no"}
 GRAVITY = 9.81
-
-
-def rigid(**more):
-    return {"type": "rigid", "rho": 1, **more}
-
-
-def spinning(center, spin, velocity=(0, 0, 0)):
-    """Initial velocity of a body that turns."""
-    return lambda X: np.cross(spin, X - np.array(center)) + np.array(velocity)
 
 
 def test_compound_pendulum(tmp_path, figures):
@@ -77,27 +69,6 @@ def test_bounce_keeps_momenta(tmp_path, figures):
         f.within("energy at the end / initial", E[-1]/E[0], 0.85, 0.1)
         f.atMost("energy balance / initial",
                 largest(case.energies["total:balance"])/E[0], 1e-3)
-
-
-def toolAndBlock(folder, endTime=1, ranks=1, control=None, material=None,
-                 contact=None):
-    """A tool that turns is pressed on a block with friction."""
-    tool = Body(cells=(3, 3, 3), name="tool", start=(0.3, 1.01, 0.4),
-                size=(0.5, 0.3, 0.7), sides={"bottom": "contact"},
-                velocity=spinning((0.55, 1.16, 0.75), (0.1, 1.0, 0.05)),
-                material=material or rigid(
-                    rho=2, force=table((0, (0, 0, 0)), (0.3, (0, -0.1, 0)))))
-    block = Body(cells=(5, 4, 6), name="block", size=(1.2, 1, 1.5),
-                 sides={"top": "contact",
-                        "bottom": {"type": "fixedVelocity",
-                                   "velocity": (0, 0, 0)}})
-    case = SmallCase(folder, [tool, block], endTime,
-                     interfaces=contact or {"both": interface(
-                         ("tool", "bottom"), ("block", "top"), coulomb(0.3),
-                         pairing="nearestFace")},
-                     functions=("contactForces",), preset=DEFAULT,
-                     control={"writeInterval": endTime/2, **(control or {})})
-    return case.run() if ranks == 1 else case.runParallel(ranks)
 
 
 def test_general_contact(tmp_path, figures):

@@ -325,18 +325,28 @@ Foam::rigidBody::motionState Foam::rigidBody::acceleration() const
 }
 
 
-Foam::rigidBody::motionState Foam::rigidBody::fullAcceleration() const
+Foam::rigidBody::motionState Foam::rigidBody::contactAcceleration() const
 {
-    motionState a(acceleration());
-    a.velocity += (translation_ & contact_.force)/mass_.mass;
+    motionState a;
+    a.velocity = (translation_ & contact_.force)/mass_.mass;
     if (rotation_ == freedom::all)
     {
-        a.spin += free_->inverse(now_.q) & contact_.moment;
+        a.spin = free_->inverse(now_.q) & contact_.moment;
     }
     else if (rotation_ == freedom::axis)
     {
-        a.spin += (contact_.moment & axis_)/axisInertia_*axis_;
+        a.spin = (contact_.moment & axis_)/axisInertia_*axis_;
     }
+    return a;
+}
+
+
+Foam::rigidBody::motionState Foam::rigidBody::fullAcceleration() const
+{
+    motionState a(acceleration());
+    const motionState c(contactAcceleration());
+    a.velocity += c.velocity;
+    a.spin += c.spin;
     return a;
 }
 

@@ -60,8 +60,9 @@ const control types[] =
     {"timeIntegrator", kind::text}, {"adjustTimeStep", kind::onOff},
     {"minDeltaT", kind::number}, {"maxEnergyRise", kind::number},
     {"logInterval", kind::number}, {"subCycling", kind::onOff},
-    {"maxSubCycles", kind::number}, {"massScaling", kind::dict},
-    {"damping", kind::dict}, {"relaxation", kind::dict}
+    {"maxSubCycles", kind::number}, {"contactIterations", kind::number},
+    {"massScaling", kind::dict}, {"damping", kind::dict},
+    {"relaxation", kind::dict}
 };
 
 //- A keyword of the file is used in it as a variable. The text, since a
@@ -170,6 +171,11 @@ Foam::keywordList Foam::controlKeywords::keywords()
       + stepRatios::keywords()
       + keywordList
         ({
+            {
+                "contactIterations", "-", "1",
+                "times that contact is solved in a step; 2 where it is only "
+                "some faces wide"
+            },
             {
                 "massScaling", "", "none",
                 "more mass for longer steps: a dictionary by region"

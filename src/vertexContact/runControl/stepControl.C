@@ -46,6 +46,11 @@ Foam::stepControl::stepControl(const Time& runTime, const preset& defaults)
     (
         minDeltaT(0) >= 0, dict(), "minDeltaT", minDeltaT(0), "at least 0"
     );
+    dictionaryCheck::require
+    (
+        contactIterations() > 0, dict(), "contactIterations",
+        contactIterations(), "a positive integer"
+    );
     const label interval = dict().getOrDefault<label>("logInterval", 100);
     dictionaryCheck::require
     (

@@ -425,6 +425,7 @@ Foam::solidBody::solidBody
             contactForce_.setSize(dual_.nNodes()*dual_.nDim(), Zero);
         }
         boundFrequencies();
+        if (hasContact_) findCompliances();
     }
     else
     {
@@ -806,12 +807,7 @@ Foam::scalar Foam::solidBody::timeScale(const bool anew)
     {
         if (anew)
         {
-            variational_->sumWaves(data_, *x_);
-            dual_.sharing().sum
-            (
-                x_->waves.data(), variationalLayout::strideWaves(dual_.nDim())
-            );
-            operatorTimeScale_ = variational_->timeScale(data_, *x_);
+            operatorTimeScale_ = boundOfStep();
         }
         shortest = operatorTimeScale_;
         if (data_.finiteStrain)

@@ -786,7 +786,7 @@ std::size_t Foam::solidBody::bytes() const
        *std::size_t
         (
             acceleration_.size() + externalForce_.size()
-          + contactForce_.size() + work_.size()
+          + contactForce_.size() + contactVelocity_.size() + work_.size()
         );
 }
 

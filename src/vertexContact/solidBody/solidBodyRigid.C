@@ -74,17 +74,16 @@ void Foam::solidBody::makeRigid()
         }
     }
     reduce(area, sumOp<scalar>());
-    massDepth_.setSize(corners_.size());
+    surfaceCompliance_.setSize(corners_.size());
     forAll(corners_, patchi)
     {
         if (!corners_.set(patchi)) continue;
         const dualPatch& patch = corners_[patchi].geometry;
-        massDepth_[patchi].setSize(patch.nCorners());
-        forAll(massDepth_[patchi], k)
+        surfaceCompliance_[patchi].setSize(patch.nCorners());
+        forAll(surfaceCompliance_[patchi], k)
         {
-            const scalar perMass =
+            surfaceCompliance_[patchi][k] =
                 area*rigid_->compliance(reference(patch.cornerNode[k]));
-            massDepth_[patchi][k] = perMass > 0 ? 2/(data_.rho*perMass) : 0;
         }
     }
 }
@@ -323,6 +322,26 @@ void Foam::solidBody::sumContact()
     all.force = sums.x();
     all.moment = sums.y();
     rigid_->setContact(all);
+}
+
+
+void Foam::solidBody::moveRigidSurface(const scalar step)
+{
+    sumContact();
+    const rigidBody::motionState push(rigid_->contactAcceleration());
+    const point centre(rigid_->start() + rigid_->shift());
+    const label d = dual_.nDim();
+    for (const label a : contactNodes_)
+    {
+        const vector v
+        (
+            step*(push.velocity + (push.spin ^ (position(a) - centre)))
+        );
+        for (label i = 0; i < d; ++i)
+        {
+            contactVelocity_[a*d + i] = v[dual_.directions()[i]];
+        }
+    }
 }
 
 

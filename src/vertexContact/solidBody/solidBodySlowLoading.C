@@ -150,13 +150,7 @@ Foam::scalar Foam::solidBody::undeformedTimeScale()
         material_->waveFactors(start, data_.waveFactor);
     }
 
-    variational_->sumWaves(data_, *x_);
-    dual_.sharing().sum
-    (
-        x_->waves.data(), variationalLayout::strideWaves(dual_.nDim())
-    );
-    const scalar step =
-        returnReduce(variational_->timeScale(data_, *x_), minOp<scalar>());
+    const scalar step = returnReduce(boundOfStep(), minOp<scalar>());
 
     data_.state.F = F;
     data_.state.H = H;

@@ -13,7 +13,7 @@ Description
 #include "solidBody.H"
 #include "solidBoundaryCondition.H"
 #include "prescribedMotion.H"
-#include "largestEigenvalue.H"
+#include "stepLimit.H"
 #include "passTimes.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -161,11 +161,74 @@ void Foam::solidBody::boundFrequencies()
 
     findJumpStiffness();
 
-    // What the operator has, rounded up to two digits: not the last bits, which
-    // depend on the number of processors
-    const scalar ratio = largestEigenvalue(data_, *x_, symmetry_)/largest;
+    // What the operator has, in two digits: not the last bits, which depend on
+    // the number of processors
+    const stepLimit limit(data_, *x_, symmetry_);
+    const scalar ratio = limit.squaredFrequency()/(sqr(data_.cp)*largest);
     x_->boundRatio = std::ceil(1e2*ratio)/1e2;
     largestFrequency_ = data_.cp*std::sqrt(x_->boundRatio*largest);
+
+    // The state is undeformed yet
+    const scalar bound = returnReduce(boundOfStep(), minOp<scalar>());
+    x_->stepRatio = std::floor(1e2*limit.step()/bound)/1e2;
+}
+
+
+Foam::scalar Foam::solidBody::boundOfStep()
+{
+    variational_->sumWaves(data_, *x_);
+    dual_.sharing().sum
+    (
+        x_->waves.data(), variationalLayout::strideWaves(dual_.nDim())
+    );
+    return variational_->timeScale(data_, *x_);
+}
+
+
+void Foam::solidBody::findCompliances()
+{
+    // Area vector of all surfaces of contact at each node
+    const label d = dual_.nDim();
+    scalarField area(dual_.nNodes()*d, Zero);
+    const auto forCorners = [&](const auto& f)
+    {
+        for (const dualPatch& patch : dual_.patches())
+        {
+            const label patchi = patch.patchIndex;
+            if (!corners_.set(patchi) || !condition(patchi).contact()) continue;
+            forAll(patch.cornerNode, k)
+            {
+                f
+                (
+                    patch, k, area.data() + patch.cornerNode[k]*d,
+                    patch.cornerNormal.cdata() + k*d
+                );
+            }
+        }
+    };
+    forCorners([&]
+    (
+        const dualPatch& patch, const label k, scalar* A, const scalar* n
+    )
+    {
+        for (label i = 0; i < d; ++i) A[i] += patch.cornerArea[k]*n[i];
+    });
+    dual_.sharing().sum(area.data(), d);
+
+    surfaceCompliance_.setSize(corners_.size());
+    forCorners([&]
+    (
+        const dualPatch& patch, const label k, scalar* A, const scalar* n
+    )
+    {
+        scalar along = 0;
+        for (label i = 0; i < d; ++i) along += A[i]*n[i];
+        scalarField& perVolume = surfaceCompliance_[patch.patchIndex];
+        perVolume.setSize(patch.nCorners());
+        perVolume[k] =
+            max(along, patch.cornerArea[k])
+           /dual_.nodeVolume()[patch.cornerNode[k]];
+    });
 }
 
 
@@ -389,6 +452,18 @@ void Foam::solidBody::computeForces(const bool energy)
 }
 
 
+void Foam::solidBody::clearContact()
+{
+    const label d = dual_.nDim();
+    for (const label a : contactNodes_)
+    {
+        contact_.force[a] = vector::zero;
+        contact_.area[a] = 0;
+        for (label i = 0; i < d; ++i) contactForce_[a*d + i] = 0;
+    }
+}
+
+
 void Foam::solidBody::holdDissipation()
 {
     // What contact or a boundary holds is not moved by the dissipation
@@ -417,14 +492,43 @@ void Foam::solidBody::holdDissipation()
 void Foam::solidBody::startContact()
 {
     if (!hasContact_) return;
+    for (const label a : contactNodes_) contact_.gap[a] = GREAT;
+    clearContact();
+}
+
+
+void Foam::solidBody::moveSurface()
+{
+    if (!hasContact_) return;
     const label d = dual_.nDim();
-    for (const label a : contactNodes_)
+    const scalar step = contactGives_*contactStep_;
+    contactVelocity_.setSize(contactForce_.size(), Zero);
+    if (rigid_.valid())
     {
-        contact_.force[a] = vector::zero;
-        contact_.area[a] = 0;
-        contact_.gap[a] = GREAT;
-        for (label i = 0; i < d; ++i) contactForce_[a*d + i] = 0;
+        moveRigidSurface(step);
     }
+    else
+    {
+        // Other nodes' sums are not used
+        for (const label a : contactNodes_)
+        {
+            for (label i = 0; i < d; ++i)
+            {
+                work_[a*d + i] = contactForce_[a*d + i];
+            }
+        }
+        completeContact();
+        const scalar share = step/data_.rho;
+        for (const label a : contactNodes_)
+        {
+            for (label i = 0; i < d; ++i)
+            {
+                contactVelocity_[a*d + i] = share*work_[a*d + i];
+            }
+        }
+    }
+    clearContact();
+    for (const label a : contactNodes_) contact_.status[a] = 0;
 }
 
 

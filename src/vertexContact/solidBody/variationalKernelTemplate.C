@@ -404,7 +404,9 @@ lanes variationalKernelTemplate<D, finite>::timeScales
         damping +=
             (0.125*x.volumeImpedance/(d.rho*d.cp*d.cp))*square*reciprocal(perH);
     }
-    return 2*reciprocal(squareRoot(damping*damping + square) + damping);
+    return
+        (2*x.stepRatio)
+       *reciprocal(squareRoot(damping*damping + square) + damping);
 }
 
 

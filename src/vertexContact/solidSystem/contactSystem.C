@@ -10,9 +10,14 @@
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::contactSystem::contactSystem(PtrList<solidBody>& bodies)
+Foam::contactSystem::contactSystem
+(
+    PtrList<solidBody>& bodies,
+    const label iterations
+)
 :
     bodies_(bodies),
+    iterations_(iterations),
     oldStatus_(bodies.size()),
     oldSlide_(bodies.size())
 {}
@@ -48,6 +53,16 @@ void Foam::contactSystem::solve(const scalar time, const bool firstStage)
     for (contactInterface& contact : interfaces_)
     {
         contact.solve(time, firstStage);
+    }
+    // In a step of no length nothing touches
+    const bool moves = bodies_.size() && bodies_[0].contactStep() > 0;
+    for (label i = 1; moves && i < iterations_; ++i)
+    {
+        for (solidBody& body : bodies_) body.moveSurface();
+        for (contactInterface& contact : interfaces_)
+        {
+            contact.correct(firstStage);
+        }
     }
     if (firstStage)
     {
@@ -239,6 +254,10 @@ void Foam::contactSystem::report(Ostream& os) const
     if (interfaces_.empty())
     {
         os  << "No contact interfaces" << nl;
+    }
+    else if (iterations_ > 1)
+    {
+        os  << "Contact is solved " << iterations_ << " times a step" << nl;
     }
 }
 

@@ -213,7 +213,10 @@ Foam::solidSystem::solidSystem(Time& runTime)
     integrator_(readIntegrator(runTime.controlDict(), preset_)),
     record_(readRecord()),
     bodies_(readBodies()),
-    contacts_(bodies_),
+    contacts_
+    (
+        bodies_, integrator_.leapfrog() ? control_.contactIterations() : 1
+    ),
     accounts_(bodies_, integrator_.leapfrog()),
     maxEnergyRise_(control_.maxEnergyRise()),
     warnings_(bodies_.size()),

@@ -150,6 +150,12 @@ void Foam::systemChecks::integrator
             << "). Valid integrators for it: (leapfrog)"
             << exit(FatalIOError);
     }
+    if (control.contactIterations() > 1 && !integrator.leapfrog())
+    {
+        WarningInFunction
+            << "contactIterations does nothing with preset "
+            << preset::names[given.name] << endl;
+    }
     for (const solidBody& body : bodies)
     {
         if (body.variational() != integrator.leapfrog())

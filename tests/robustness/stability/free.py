@@ -5,7 +5,7 @@ import numpy as np
 
 from smallCases import RUBBER, Body, condition, distorted, largest
 
-from .judge import momentumChange, outcome, small
+from .judge import BALANCE, momentumChange, outcome, small
 
 # Elements of a side
 FINE = {1: 20, 2: 6, 3: 4}
@@ -79,7 +79,7 @@ def release(folder, dimensions, cells, nu, stretch, **how):
 
 # Bad cells
 
-def wobble(folder, body, how, transits=4):
+def wobble(folder, body, how, transits=4, balanceLimit=BALANCE):
     """All modes of a body of any shape, for some transits of its length."""
     case = small(folder, body, transits/rubber(0.3)[1],
                  {"writeControl": "none"}, **how)
@@ -87,7 +87,7 @@ def wobble(folder, body, how, transits=4):
     def check(case):
         scale = np.sqrt(2*case.totalEnergy[0])
         yield "momentum", momentumChange(case, scale), 0, 1e-12
-    return outcome(case, check)
+    return outcome(case, check, balanceLimit=balanceLimit)
 
 
 def aspect(folder, dimensions, shape, ratio, **how):
@@ -163,7 +163,8 @@ SLIVERS = {"layer": flattened, "node": pushed}
 
 
 def sliver(folder, kind, angle, **how):
-    """Tetrahedra with dihedral angles down to this many degrees."""
+    """Tetrahedra with dihedral angles down to this many degrees. What their
+    modes have dissipates within steps that are not small, as in step()."""
     n = FINE[3]
     below, above = 1e-6, 0.3
     while above/below > 1 + 1e-9:
@@ -174,7 +175,7 @@ def sliver(folder, kind, angle, **how):
             above = left
     result = wobble(folder, Body(
         cells=(n,)*3, moved=SLIVERS[kind](left, n),
-        velocity=anyModes(0.05, 3)), how)
+        velocity=anyModes(0.05, 3)), how, balanceLimit=0.1)
     result.figures["angle"] = (
         smallestAngle(SLIVERS[kind](left, n), n), None, None)
     return result

@@ -132,7 +132,8 @@ void Foam::bodyInterface::setKernel()
     closed_.setSize(n, false);
     if (!pairing_->active()) return;
 
-    // Of the plus side once, where it is asked for: depth, and where it began
+    // Of the plus side once, where it is asked for: how it gives way, and where
+    // it began
     const pointField& points = plus_.body->mesh().points();
     const labelList& plusCorners = pairing_->plusCorners();
     const labelList& plusNode =
@@ -142,33 +143,31 @@ void Foam::bodyInterface::setKernel()
     {
         const label k = plusCorners[i];
         const point& X = points[plus_.body->dual().nodePoint()[plusNode[k]]];
-        plus[i][0] = plus_.body->massDepth(plus_.patchi)[k];
+        plus[i][0] = plus_.body->surfaceCompliance(plus_.patchi, k);
         for (direction c = 0; c < 3; ++c) plus[i][1 + c] = X[c];
     }
     pairing_->toSlots(plus);
 
-    const scalarField& depth = body.massDepth(minus_.patchi);
-    const scalar minusRho = body.material().rho();
-    const scalar plusRho = plus_.body->material().rho();
     scalarField perMass(overlaps.size()), firstGap;
     if (law().bonded()) firstGap.setSize(overlaps.size());
     nNodes_ = 1;
     forAll(overlaps, o)
     {
         const contactOverlap& over = overlaps[o];
-        scalar plusDepth = 0;
+        perMass[o] = 0;
+        for (label j = 0; j < over.minus.size; ++j)
+        {
+            perMass[o] +=
+                over.minus.value[j]
+               *body.surfaceCompliance(minus_.patchi, over.minus.corner[j]);
+        }
         vector between(Zero);
         for (label j = 0; j < over.plus.size; ++j)
         {
             const FixedList<scalar, 4>& c = plus[over.plus.corner[j]];
-            plusDepth += over.plus.value[j]*c[0];
+            perMass[o] += over.plus.value[j]*c[0];
             between += over.plus.value[j]*vector(c[1], c[2], c[3]);
         }
-        perMass[o] = contactLayer
-        (
-            contactLayer::side{over.minus(depth), minusRho},
-            contactLayer::side{plusDepth, plusRho}
-        ).perMass();
         if (firstGap.size())
         {
             // The reference gap lies along the normal
@@ -187,14 +186,8 @@ void Foam::bodyInterface::setKernel()
     withNodes([&](auto N)
     {
         auto& kernel = std::get<overlapKernel<N.value>>(kernels_);
-        auto& levers =
-            std::get<std::vector<typename overlapKernel<N.value>::levers>>
-            (
-                levers_
-            );
         kernel.set(overlaps, slots, perMass, firstGap);
-        levers.resize(law().sticks() ? kernel.size() : 1);
-        problems_.setSize(law().sticks() ? kernel.size()*nLanes : nLanes);
+        nearBlocks<N.value>().clear();
     });
 }
 
@@ -235,6 +228,24 @@ void Foam::bodyInterface::findStates
 }
 
 
+void Foam::bodyInterface::findVelocities
+(
+    const contactSide& side,
+    const labelList& corners,
+    List<velocityMessage>& velocities
+)
+{
+    const solidBody& body = *side.body;
+    const labelList& node = body.corners(side.patchi).geometry.cornerNode;
+    velocities.setSize(corners.size());
+    forAll(corners, i)
+    {
+        const vector v(body.surfaceVelocity(node[corners[i]]));
+        for (direction c = 0; c < 3; ++c) velocities[i][c] = v[c];
+    }
+}
+
+
 void Foam::bodyInterface::send()
 {
     const solidBody& body = *plus_.body;
@@ -268,11 +279,11 @@ void Foam::bodyInterface::send()
 
 
 template<int nNodes>
-void Foam::bodyInterface::solveOverlaps()
+void Foam::bodyInterface::findNear()
 {
     typedef overlapKernel<nNodes> kernelType;
     const kernelType& kernel = std::get<kernelType>(kernels_);
-    auto& levers = std::get<std::vector<typename kernelType::levers>>(levers_);
+    std::vector<nearBlock<nNodes>>& all = nearBlocks<nNodes>();
 
     const solidBody& body = *minus_.body;
     const cornerStates& M = body.corners(minus_.patchi);
@@ -284,9 +295,6 @@ void Foam::bodyInterface::solveOverlaps()
     const scalar minusGives = body.contactGives();
     const scalar plusGives = plus_.body->contactGives();
     const bool alike = minusGives == plusGives;
-    const scalarField& depth = body.massDepth(minus_.patchi);
-    surfaceAnswer* toMinus = toMinus_.data();
-    surfaceAnswer* toPlus = toPlus_.data();
 
     // Tell both corners of an overlap the gap
     const auto tellGap = [&]
@@ -296,41 +304,40 @@ void Foam::bodyInterface::solveOverlaps()
         const scalar gap
     )
     {
-        scalar& minus = toMinus[b.minus.slot[0][l]][answerGap];
-        scalar& plus = toPlus[b.plus.slot[0][l]][answerGap];
+        scalar& minus = toMinus_[b.minus.slot[0][l]][answerGap];
+        scalar& plus = toPlus_[b.plus.slot[0][l]][answerGap];
         minus = min(minus, gap);
         plus = min(plus, gap);
     };
 
-    contactLaw::problem some[nLanes];
+    typename kernelType::levers lever;
     typename kernelType::place at;
+    all.clear();
     for (label i = 0; i < kernel.size(); ++i)
     {
         const typename kernelType::block& b = kernel[i];
-        typename kernelType::levers& lever = levers[sticks ? i : 0];
         kernel.find
         (
             b, minusStates_.cdata(), plusStates_.cdata(), deltaT, impedance,
             bonded, lever, at
         );
-
-        // The problems of those that touch, and whose they are
-        int lane[nLanes];
-        label n = 0;
         for (int l = 0; l < b.size; ++l)
         {
-            if (sticks)
-            {
-                problems_[i*nLanes + l].result.state =
-                    acousticRiemann::status::open;
-            }
-            if (!at.near[l])
-            {
-                ++statistics_.nOpen;
-                tellGap(b, l, at.distance[l]);
-                continue;
-            }
-            contactLaw::problem& p = some[n];
+            if (at.near[l]) continue;
+            ++statistics_.nOpen;
+            tellGap(b, l, at.distance[l]);
+        }
+        if (!at.any()) continue;
+
+        all.emplace_back();
+        nearBlock<nNodes>& near = all.back();
+        near.block = i;
+        near.lever = lever;
+        for (int l = 0; l < b.size; ++l)
+        {
+            if (!at.near[l]) continue;
+            near.lane[near.size] = l;
+            contactLaw::problem& p = near.problems[near.size++];
             vector normal, shift(Zero);
             for (direction c = 0; c < 3; ++c)
             {
@@ -355,44 +362,72 @@ void Foam::bodyInterface::solveOverlaps()
             scalar gives = minusGives;
             if (!alike)
             {
-                contactLayer::side minus{0, body.material().rho()};
+                scalar minus = 0;
                 for (int j = 0; j < nNodes; ++j)
                 {
-                    minus.depth +=
+                    minus +=
                         b.minus.N[j][l]
-                       *depth[minusCorners_[b.minus.slot[j][l]]];
+                       *body.surfaceCompliance
+                        (
+                            minus_.patchi, minusCorners_[b.minus.slot[j][l]]
+                        );
                 }
-                const scalar share =
-                    contactLayer(minus, {}).perMass()/b.perMass[l];
-                gives = plusGives + share*(minusGives - plusGives);
+                gives =
+                    plusGives
+                  + minus/b.perMass[l]*(minusGives - plusGives);
             }
             contactLayer(b.perMass[l]).set
             (
-                p, at.stretch[l], at.opposed[l], bonded, shift, deltaT, gives
+                p, at.stretch[l], true, bonded, shift, deltaT, gives
             );
             countClosing(p, b.depth[l]);
             tellGap(b, l, p.gap);
-            if
-            (
-                p.gap < -lostDepth*b.depth[l] && at.opposed[l]
-             && closed_[slot]
-            )
+            if (p.gap < -lostDepth*b.depth[l] && closed_[slot])
             {
                 lose(minus_, minusCorners_[slot], -p.gap, b.depth[l]);
             }
-            if (p.touching)
-            {
-                lane[n++] = l;
-            }
-            else
-            {
-                ++statistics_.nOpen;
-            }
         }
-        if (!n) continue;
+    }
+}
 
-        UList<contactLaw::problem> touching(some, n);
-        law_->solve(touching);
+
+template<int nNodes>
+void Foam::bodyInterface::moveNear()
+{
+    const auto& kernel = std::get<overlapKernel<nNodes>>(kernels_);
+    const bool bonded = law().bonded();
+    for (nearBlock<nNodes>& near : nearBlocks<nNodes>())
+    {
+        const auto& b = kernel[near.block];
+        const auto minus = near.minusVelocity(b.minus, minusVelocities_);
+        const auto plus = near.plusVelocity(b.plus, plusVelocities_);
+        for (label k = 0; k < near.size; ++k)
+        {
+            contactLaw::problem& p = near.problems[k];
+            for (direction c = 0; c < 3; ++c)
+            {
+                p.minus.v[c] = minus[c][near.lane[k]];
+                p.plus.v[c] = plus[c][near.lane[k]];
+            }
+            contactLayer::correct(p, bonded);
+        }
+    }
+}
+
+
+template<int nNodes>
+void Foam::bodyInterface::solveNear()
+{
+    typedef overlapKernel<nNodes> kernelType;
+    const kernelType& kernel = std::get<kernelType>(kernels_);
+    surfaceAnswer* toMinus = toMinus_.data();
+    surfaceAnswer* toPlus = toPlus_.data();
+
+    for (nearBlock<nNodes>& near : nearBlocks<nNodes>())
+    {
+        const typename kernelType::block& b = kernel[near.block];
+        UList<contactLaw::problem> problems(near.problems, near.size);
+        law_->solve(problems);
 
         typename kernelType::vectorType force;
         bool acts[nLanes];
@@ -401,10 +436,10 @@ void Foam::bodyInterface::solveOverlaps()
             acts[l] = false;
             for (int c = 0; c < 3; ++c) force[c][l] = 0;
         }
-        for (label k = 0; k < n; ++k)
+        for (label k = 0; k < near.size; ++k)
         {
-            const contactLaw::problem& p = some[k];
-            const int l = lane[k];
+            const contactLaw::problem& p = near.problems[k];
+            const int l = near.lane[k];
             count(p, b.width[l], b.depth[l], p.area, p.area);
             if (p.result.state == acousticRiemann::status::open) continue;
 
@@ -423,9 +458,8 @@ void Foam::bodyInterface::solveOverlaps()
             plus[answerArea] += p.area;
             minus[answerStatus] = max(minus[answerStatus], state);
             plus[answerStatus] = max(plus[answerStatus], state);
-            if (sticks) problems_[i*nLanes + l] = p;
         }
-        kernel.act(b, lever, force, acts, toMinus, toPlus);
+        kernel.act(b, near.lever, force, acts, toMinus, toPlus);
     }
 }
 
@@ -445,6 +479,37 @@ void Foam::bodyInterface::startForces()
             minusSlide_[i] = minus_.body->slide(node[minusCorners_[i]]);
         }
     }
+}
+
+
+void Foam::bodyInterface::exchangeForces
+(
+    const UList<bodyInterface*>& pairs,
+    contactExchange& exchange,
+    const bool firstStage
+)
+{
+    for (bodyInterface* pair : pairs)
+    {
+        pair->withNodes([&](auto N) { pair->solveNear<N.value>(); });
+    }
+    exchange.toCorners<surfaceAnswer>
+    (
+        [&](const label i) -> auto& { return pairs[i]->toPlus_; },
+        [&](const label i) -> auto& { return pairs[i]->toOwn_; },
+        combineSurfaceAnswers(), noSurfaceAnswer()
+    );
+    for (bodyInterface* pair : pairs)
+    {
+        const bodyInterface& p = *pair;
+        tell(p.minus_, p.minusCorners_, p.toMinus_, firstStage);
+        tell(p.plus_, p.pairing_->plusCorners(), p.toOwn_, firstStage);
+    }
+}
+
+
+void Foam::bodyInterface::startAnswers()
+{
     toMinus_.setSize(minusCorners_.size());
     toPlus_.setSize(pairing_->nSlots());
     toMinus_ = noSurfaceAnswer();
@@ -467,20 +532,51 @@ void Foam::bodyInterface::solveForces
     );
     for (bodyInterface* pair : pairs)
     {
-        pair->withNodes([&](auto N) { pair->solveOverlaps<N.value>(); });
+        pair->startAnswers();
+        pair->withNodes([&](auto N) { pair->findNear<N.value>(); });
+        pair->found_ = pair->statistics_;
     }
-    exchange.toCorners<surfaceAnswer>
+    exchangeForces(pairs, exchange, firstStage);
+}
+
+
+void Foam::bodyInterface::correctForces
+(
+    const UList<bodyInterface*>& pairs,
+    contactExchange& exchange,
+    const bool firstStage
+)
+{
+    for (bodyInterface* pair : pairs)
+    {
+        bodyInterface& p = *pair;
+        findVelocities(p.minus_, p.minusCorners_, p.minusVelocities_);
+        findVelocities
+        (
+            p.plus_, p.pairing_->plusCorners(), p.ownVelocities_
+        );
+    }
+    exchange.toSlots<velocityMessage>
     (
-        [&](const label i) -> auto& { return pairs[i]->toPlus_; },
-        [&](const label i) -> auto& { return pairs[i]->toOwn_; },
-        combineSurfaceAnswers(), noSurfaceAnswer()
+        [&](const label i) -> auto& { return pairs[i]->ownVelocities_; },
+        [&](const label i) -> auto& { return pairs[i]->plusVelocities_; }
     );
     for (bodyInterface* pair : pairs)
     {
-        const bodyInterface& p = *pair;
-        tell(p.minus_, p.minusCorners_, p.toMinus_, firstStage);
-        tell(p.plus_, p.pairing_->plusCorners(), p.toOwn_, firstStage);
+        pair->startAnswers();
+        pair->withNodes([&](auto N) { pair->moveNear<N.value>(); });
+        pair->statistics_ = pair->found_;
     }
+    exchangeForces(pairs, exchange, firstStage);
+}
+
+
+void Foam::bodyInterface::correct(const bool firstStage)
+{
+    if (!pairing_->active()) return;
+
+    bodyInterface* pair = this;
+    correctForces(UList<bodyInterface*>(&pair, 1), exchange_, firstStage);
 }
 
 
@@ -868,69 +964,39 @@ void Foam::bodyInterface::slideOverlaps
     const scalar deltaT
 )
 {
-    typedef overlapKernel<nNodes> kernelType;
-    typedef typename kernelType::vectorType vectorType;
-    const kernelType& kernel = std::get<kernelType>(kernels_);
-    const auto& levers =
-        std::get<std::vector<typename kernelType::levers>>(levers_);
-
+    const auto& kernel = std::get<overlapKernel<nNodes>>(kernels_);
     solidBody& body = *minus_.body;
     const labelList& minusNode =
         body.corners(minus_.patchi).geometry.cornerNode;
 
-    for (label i = 0; i < kernel.size(); ++i)
+    for (const nearBlock<nNodes>& near : nearBlocks<nNodes>())
     {
-        const typename kernelType::block& b = kernel[i];
         bool any = false;
-        for (int l = 0; l < b.size; ++l)
+        for (label k = 0; k < near.size; ++k)
         {
             any =
                 any
-             || problems_[i*nLanes + l].result.state
+             || near.problems[k].result.state
              != acousticRiemann::status::open;
         }
         if (!any) continue;
 
         // Of the plus side relative to the minus side, in the step and in the
         // mean with the one before
-        vectorType way{lanes{}, lanes{}, lanes{}}, mean(way);
-        for (int j = 0; j < nNodes; ++j)
-        {
-            const auto of = [&]
-            (
-                const List<stepMessage>& steps,
-                const typename kernelType::blockSide& side,
-                const int from
-            )
-            {
-                vectorType v;
-                for (int c = 0; c < 3; ++c)
-                {
-                    v[c] = lanesByOne([&](const int l)
-                    {
-                        return steps[side.slot[j][l]][from + c];
-                    });
-                }
-                return v;
-            };
-            const auto& lever = levers[i];
-            way = way
-              + (
-                    lever.plus.velocity(j, of(plusSteps_, b.plus, 0))
-                  - lever.minus.velocity(j, of(minusSteps_, b.minus, 0))
-                );
-            mean = mean
-              + (
-                    lever.plus.velocity(j, of(plusSteps_, b.plus, 3))
-                  - lever.minus.velocity(j, of(minusSteps_, b.minus, 3))
-                );
-        }
+        const auto& b = kernel[near.block];
+        const auto way =
+            near.plusVelocity(b.plus, plusSteps_)
+          - near.minusVelocity(b.minus, minusSteps_);
+        const auto mean =
+            near.plusVelocity(b.plus, plusSteps_, 3)
+          - near.minusVelocity(b.minus, minusSteps_, 3);
 
-        for (int l = 0; l < b.size; ++l)
+        for (label k = 0; k < near.size; ++k)
         {
-            const contactLaw::problem& p = problems_[i*nLanes + l];
+            const contactLaw::problem& p = near.problems[k];
             if (p.result.state == acousticRiemann::status::open) continue;
 
+            const int l = near.lane[k];
             const bool stuck =
                 p.result.state == acousticRiemann::status::stick;
             body.addSlide
@@ -992,14 +1058,6 @@ void Foam::bodyInterface::slide
             pair->slideOverlaps<N.value>(middle, deltaT);
         });
     }
-}
-
-
-void Foam::bodyInterface::readLaw(const dictionary& dict)
-{
-    // What is kept of an overlap depends on whether the law sticks
-    contactInterface::readLaw(dict);
-    resize();
 }
 
 

@@ -81,7 +81,7 @@ Foam::scalar Foam::contactInterface::kept(const contactLaw::problem& p)
     using namespace acousticRiemann;
 
     if (p.result.state == status::open) return 0;
-    const vector remembered(tangential(p.minus.t, p.n));
+    const vector remembered(tangential(p.tGap, p.n));
     if (p.result.state == status::stick || remembered == vector::zero)
     {
         return 1;
@@ -155,16 +155,6 @@ Foam::contactInterface::answerMessage Foam::contactInterface::plusAnswer
     seen.result.vMinus = p.result.vPlus;
     seen.result.t = -p.result.t;
     return answer(seen, force, area);
-}
-
-
-Foam::contactLayer::side Foam::contactInterface::layerSide
-(
-    const solidBody& body,
-    const scalar depth
-)
-{
-    return contactLayer::side{depth, body.material().rho()};
 }
 
 

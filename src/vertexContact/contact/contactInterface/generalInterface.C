@@ -412,6 +412,13 @@ void Foam::generalInterface::solve(const scalar time, const bool firstStage)
 }
 
 
+void Foam::generalInterface::correct(const bool firstStage)
+{
+    bodyInterface::correctForces(acting_, exchange_, firstStage);
+    collect();
+}
+
+
 void Foam::generalInterface::accumulate(const scalar weightedDeltaT)
 {
     contactInterface::accumulate(weightedDeltaT);

@@ -61,7 +61,6 @@ void Foam::obstacleInterface::solveForces(const bool firstStage)
     solidBody& body = *side_.body;
     const cornerStates& M = body.corners(side_.patchi);
     const scalarField& depth = body.depth(side_.patchi);
-    const scalarField& massDepth = body.massDepth(side_.patchi);
     const septernion& pose = motion_.pose();
     const scalar deltaT = body.contactStep();
     const bool sticks = law().sticks();
@@ -92,7 +91,7 @@ void Foam::obstacleInterface::solveForces(const bool firstStage)
         p.n = -pose.r().transform(planes_[i].n);
         p.gap = (X - planes_[i].x) & planes_[i].n;
 
-        const contactLayer layer(layerSide(body, massDepth[k]), {});
+        const contactLayer layer(body.surfaceCompliance(side_.patchi, k));
         layer.set
         (
             p, stretch, (area & p.n) > 0.1*stretch, law().bonded(),
@@ -109,22 +108,39 @@ void Foam::obstacleInterface::solveForces(const bool firstStage)
     }
 
     solveProblems();
-
     forAll(planes_, i)
     {
         const label k = planes_[i].corner;
         const contactLaw::problem& p = problems_[i];
         count(p, width_[k], depth[k], p.area, p.area);
-        const answerMessage told(answer(p, p.area, M.geometry.cornerArea[k]));
-        setState(side_, k, told, firstStage);
+    }
+    tellForces(firstStage);
+}
+
+
+void Foam::obstacleInterface::tellForces(const bool firstStage)
+{
+    solidBody& body = *side_.body;
+    const dualPatch& patch = body.corners(side_.patchi).geometry;
+    forAll(planes_, i)
+    {
+        const label k = planes_[i].corner;
+        const contactLaw::problem& p = problems_[i];
+        setState
+        (
+            side_, k, answer(p, p.area, patch.cornerArea[k]), firstStage
+        );
         if (p.result.state != acousticRiemann::status::open)
         {
-            body.addContactForce
-            (
-                M.geometry.cornerNode[k], p.area*p.result.t
-            );
+            body.addContactForce(patch.cornerNode[k], p.area*p.result.t);
         }
     }
+}
+
+
+void Foam::obstacleInterface::correct(const bool firstStage)
+{
+    tellForces(firstStage);
 }
 
 
