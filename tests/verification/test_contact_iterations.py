@@ -7,7 +7,8 @@ import pytest
 from contactScenes import (END, PLACES, difference, solve, solveOn, squares,
                            toolAndBlock)
 from defaultCases import CLAMPED, defaultCase
-from smallCases import FLOOR, Body, SmallCase, condition, coulomb, interface
+from smallCases import (FLOOR, Body, GmshBody, SmallCase, condition, coulomb,
+                        interface)
 
 
 def pressed(folder, iterations):
@@ -115,3 +116,65 @@ def test_rigid(tmp_path, figures, own):
         a, b = (run.angularMomentumOf("tool") for run in (one, two))
         f.atMost("angular momentum, 2 ranks against 1",
                  np.abs(a - b).max()/np.abs(a).max(), 1e-10)
+
+
+def box(patches):
+    """Its bottom is two rectangles, and as many patches."""
+    def within(name, *corners):
+        return (f"{name}() = Surface In BoundingBox{{"
+                f"{', '.join(str(c) for c in corners)}}};\n")
+    e, y = 1e-6, 0.01
+    low, high = (-e, y - e, -e), (1 + e, y + 1 + e, 1 + e)
+    rest = "".join(
+        within(f"s{axis}{side}",
+               *(at - e if i == axis else low[i] for i in range(3)),
+               *(at + e if i == axis else high[i] for i in range(3)))
+        for axis, side, at in ((0, 0, 0), (0, 1, 1), (1, 1, y + 1), (2, 0, 0),
+                               (2, 1, 1)))
+    names = ("a()", "b()") if patches == 2 else ("a(), b()",)
+    surfaces = "".join(f'Physical Surface("bottom{i}") = {{{name}}};\n'
+                       for i, name in enumerate(names))
+    return f"""SetFactory("OpenCASCADE");
+Box(1) = {{0, {y}, 0, 0.5, 1, 1}};
+Box(2) = {{0.5, {y}, 0, 0.5, 1, 1}};
+Coherence;
+Mesh.CharacteristicLengthMax = 0.3;
+{within("a", -e, y - e, -e, 0.5 + e, y + e, 1 + e)}
+{within("b", 0.5 - e, y - e, -e, 1 + e, y + e, 1 + e)}
+{rest}{surfaces}
+Physical Surface("rest") = {{s00(), s01(), s11(), s20(), s21()}};
+Physical Volume("all") = {{1, 2}};
+"""
+
+
+@pytest.mark.parametrize("iterations", (1, 2))
+@pytest.mark.parametrize("on", ("plane", "body"))
+def test_seam(tmp_path, figures, on, iterations):
+    """A box falls on its bottom, which is one patch or two: nodes between both
+    are pushed once. On a body each patch is paired at its own times."""
+    base = Body((3, 2, 3), name="base", start=(-0.25, -1, -0.25),
+                size=(1.5, 1, 1.5), sides={"top": "contact"})
+
+    def fallen(n):
+        sides = [f"bottom{i}" for i in range(n)]
+        falling = GmshBody(
+            name="box", geometry=box(n), velocity=(0, -0.05, 0),
+            sides={**dict.fromkeys(sides, "contact"), "rest": "tractionFree"})
+        interfaces = {side: {
+            "side": ("box", side), "obstacle": FLOOR} if on == "plane"
+            else interface(("box", side), ("base", "top"),
+                           pairing="nearestFace") for side in sides}
+        return defaultCase(
+            tmp_path/f"{n}", [falling] + [base]*(on == "body"), 2,
+            {"contactIterations": iterations}, interfaces=interfaces).run()
+    one, two = fallen(1), fallen(2)
+    with figures(f"two patches against one, on a {on}, contactIterations "
+                 f"{iterations}") as f:
+        f.atLeast("energy that contact takes / initial",
+                  -one.energies["total:contactWork"].min()
+                  / one.totalEnergy[0], 1e-3)
+        for name in "kinetic", "strain", "contactWork":
+            f.atMost(f"{name}, difference / initial energy", np.abs(
+                one.energies[f"total:{name}"]
+                - two.energies[f"total:{name}"]).max()/one.totalEnergy[0],
+                1e-9 if on == "plane" else 1e-4)

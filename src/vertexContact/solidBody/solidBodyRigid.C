@@ -325,7 +325,7 @@ void Foam::solidBody::sumContact()
 }
 
 
-void Foam::solidBody::moveRigidSurface(const scalar step)
+void Foam::solidBody::updateRigidContactVelocity(const scalar step)
 {
     sumContact();
     const rigidBody::motionState push(rigid_->contactAcceleration());

@@ -497,7 +497,7 @@ void Foam::solidBody::startContact()
 }
 
 
-void Foam::solidBody::moveSurface()
+void Foam::solidBody::updateContactVelocity()
 {
     if (!hasContact_) return;
     const label d = dual_.nDim();
@@ -505,7 +505,7 @@ void Foam::solidBody::moveSurface()
     contactVelocity_.setSize(contactForce_.size(), Zero);
     if (rigid_.valid())
     {
-        moveRigidSurface(step);
+        updateRigidContactVelocity(step);
     }
     else
     {

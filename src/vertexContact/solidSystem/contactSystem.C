@@ -58,7 +58,7 @@ void Foam::contactSystem::solve(const scalar time, const bool firstStage)
     const bool moves = bodies_.size() && bodies_[0].contactStep() > 0;
     for (label i = 1; moves && i < iterations_; ++i)
     {
-        for (solidBody& body : bodies_) body.moveSurface();
+        for (solidBody& body : bodies_) body.updateContactVelocity();
         for (contactInterface& contact : interfaces_)
         {
             contact.correct(firstStage);

@@ -228,6 +228,21 @@ void Foam::bodyInterface::findStates
 }
 
 
+template<class Message, class Function>
+void Foam::bodyInterface::setCorners
+(
+    const contactSide& side,
+    const labelList& corners,
+    List<Message>& values,
+    const Function& set
+)
+{
+    const labelList& node = side.body->corners(side.patchi).geometry.cornerNode;
+    values.setSize(corners.size());
+    forAll(corners, i) set(node[corners[i]], values[i]);
+}
+
+
 void Foam::bodyInterface::findVelocities
 (
     const contactSide& side,
@@ -236,13 +251,11 @@ void Foam::bodyInterface::findVelocities
 )
 {
     const solidBody& body = *side.body;
-    const labelList& node = body.corners(side.patchi).geometry.cornerNode;
-    velocities.setSize(corners.size());
-    forAll(corners, i)
+    setCorners(side, corners, velocities, [&](const label node, auto& m)
     {
-        const vector v(body.surfaceVelocity(node[corners[i]]));
-        for (direction c = 0; c < 3; ++c) velocities[i][c] = v[c];
-    }
+        const vector v(body.velocityWithContact(node));
+        for (direction c = 0; c < 3; ++c) m[c] = v[c];
+    });
 }
 
 
@@ -392,15 +405,17 @@ void Foam::bodyInterface::findNear()
 
 
 template<int nNodes>
-void Foam::bodyInterface::moveNear()
+void Foam::bodyInterface::correctNear()
 {
     const auto& kernel = std::get<overlapKernel<nNodes>>(kernels_);
     const bool bonded = law().bonded();
     for (nearBlock<nNodes>& near : nearBlocks<nNodes>())
     {
         const auto& b = kernel[near.block];
-        const auto minus = near.minusVelocity(b.minus, minusVelocities_);
-        const auto plus = near.plusVelocity(b.plus, plusVelocities_);
+        const auto minus =
+            near.velocity(near.lever.minus, b.minus, minusVelocities_);
+        const auto plus =
+            near.velocity(near.lever.plus, b.plus, plusVelocities_);
         for (label k = 0; k < near.size; ++k)
         {
             contactLaw::problem& p = near.problems[k];
@@ -471,13 +486,14 @@ void Foam::bodyInterface::startForces()
     findStates(plus_, pairing_->plusCorners(), ownStates_);
     if (law().sticks())
     {
-        const labelList& node =
-            minus_.body->corners(minus_.patchi).geometry.cornerNode;
-        minusSlide_.setSize(minusCorners_.size());
-        forAll(minusCorners_, i)
-        {
-            minusSlide_[i] = minus_.body->slide(node[minusCorners_[i]]);
-        }
+        setCorners
+        (
+            minus_, minusCorners_, minusSlide_,
+            [&](const label node, vector& slide)
+            {
+                slide = minus_.body->slide(node);
+            }
+        );
     }
 }
 
@@ -564,7 +580,7 @@ void Foam::bodyInterface::correctForces
     for (bodyInterface* pair : pairs)
     {
         pair->startAnswers();
-        pair->withNodes([&](auto N) { pair->moveNear<N.value>(); });
+        pair->withNodes([&](auto N) { pair->correctNear<N.value>(); });
         pair->statistics_ = pair->found_;
     }
     exchangeForces(pairs, exchange, firstStage);
@@ -941,19 +957,16 @@ void Foam::bodyInterface::findSteps
 )
 {
     const solidBody& body = *side.body;
-    const labelList& cornerNode = body.corners(side.patchi).geometry.cornerNode;
-    steps.setSize(corners.size());
-    forAll(corners, i)
+    setCorners(side, corners, steps, [&](const label node, auto& m)
     {
-        const label node = cornerNode[corners[i]];
         const vector v(body.stepVelocity(node));
         const vector mean(body.meanStepVelocity(node));
         for (direction c = 0; c < 3; ++c)
         {
-            steps[i][c] = v[c];
-            steps[i][3 + c] = mean[c];
+            m[c] = v[c];
+            m[3 + c] = mean[c];
         }
-    }
+    });
 }
 
 
@@ -985,11 +998,11 @@ void Foam::bodyInterface::slideOverlaps
         // mean with the one before
         const auto& b = kernel[near.block];
         const auto way =
-            near.plusVelocity(b.plus, plusSteps_)
-          - near.minusVelocity(b.minus, minusSteps_);
+            near.velocity(near.lever.plus, b.plus, plusSteps_)
+          - near.velocity(near.lever.minus, b.minus, minusSteps_);
         const auto mean =
-            near.plusVelocity(b.plus, plusSteps_, 3)
-          - near.minusVelocity(b.minus, minusSteps_, 3);
+            near.velocity(near.lever.plus, b.plus, plusSteps_, 3)
+          - near.velocity(near.lever.minus, b.minus, minusSteps_, 3);
 
         for (label k = 0; k < near.size; ++k)
         {
