@@ -74,6 +74,15 @@ void Foam::conservedState::makePlastic()
 }
 
 
+void Foam::conservedState::keepFlow()
+{
+    keepsFlow = true;
+    flow.increment.setSize(nNodes, Zero);
+    flow.work.setSize(nNodes, Zero);
+    flow.Cpi.setSize(Cpi.size(), Zero);
+}
+
+
 void Foam::conservedState::makeHeated(const scalar T)
 {
     temperature.setSize(nNodes);
@@ -114,6 +123,7 @@ std::size_t Foam::conservedState::bytes() const
         (
             lm.size() + disp.size() + F.size() + H.size() + J.size()
           + Cpi.size() + epsilonPEq.size() + temperature.size()
+          + flow.increment.size() + flow.work.size() + flow.Cpi.size()
         );
 }
 

@@ -368,6 +368,7 @@ Foam::solidBody::solidBody
     {
         // The old state of a step needs none: it is committed at the end
         data_.state.makePlastic();
+        if (data_.variational) data_.state.keepFlow();
         const scalar T0 = material_->initialTemperature();
         if (T0 > 0) data_.state.makeHeated(T0);
     }

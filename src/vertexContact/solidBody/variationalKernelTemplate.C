@@ -120,23 +120,39 @@ label variationalKernelTemplate<D, finite>::move
         }
         return 2*n - label(good[0] + good[1]);
     }
-    for (index a = 0; a < d.nNodes(); ++a)
+    else if constexpr (D == 3)
     {
-        const scalar* damping = d.rates.cdata() + a*sR + second;
-        for (int i = 0; i < D; ++i)
+        for (index a = 0; a < d.nNodes(); ++a)
         {
-            const index k = a*D + i;
-            oldDisp[k] = disp[k];
-            disp[k] += deltaT*perRho*lm[k];
-            if constexpr (D > 1)
-            {
-                oldRush[k] = rush[k];
-                rush[k] = perRho*(perHalf*(lm[k] - oldLm[k]) - damping[i]);
-            }
+            const index k = a*D;
+            const row<4> p = threeAt(lm + k);
+            const row<4> v = perRho*p;
+            const row<4> u = threeAt(disp + k);
+            const row<4> next = u + deltaT*v;
+            const row<4> acceleration =
+                perRho
+               *(
+                    perHalf*(p - threeAt(oldLm + k))
+                  - threeAt(d.rates.cdata() + a*sR + second)
+                );
+            storeThree(oldDisp + k, u);
+            storeThree(disp + k, next);
+            storeThree(oldRush + k, threeAt(rush + k));
+            storeThree(rush + k, acceleration);
+            nBad += collectNode3(d, x, a, next, v, acceleration);
         }
-        nBad += collectNode(d, x, a);
+        return nBad;
     }
-    return nBad;
+    else
+    {
+        for (index a = 0; a < d.nNodes(); ++a)
+        {
+            oldDisp[a] = disp[a];
+            disp[a] += deltaT*perRho*lm[a];
+            nBad += collectNode(d, x, a);
+        }
+        return nBad;
+    }
 }
 
 

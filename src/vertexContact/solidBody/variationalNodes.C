@@ -29,22 +29,47 @@ inline label variationalKernelTemplate<D, finite>::collectNode
     const scalar* lm = d.state.lm.cdata() + a*D;
     const scalar* disp = d.state.disp.cdata() + a*D;
     const scalar* rush = x.acceleration.cdata() + a*D;
-    scalar* W = d.W.data() + a*d.strideW;
-    scalar* U = x.U.data() + a*sU + atU;
-    label nBad = 0;
-    for (int i = 0; i < D; ++i)
+    if constexpr (D == 3)
     {
-        const scalar v = perRho*lm[i];
-        nBad += !(mag(v) < VGREAT);
-        U[i] = disp[i];
-        U[second + i] = W[i] = v;
-        if constexpr (D == 2) U[2*D + i] = rush[i];
-        if constexpr (D == 3)
-        {
-            x.rush[a*variationalLayout::strideRush(D) + i] = rush[i];
-        }
+        return collectNode3
+        (
+            d, x, a, threeAt(disp), perRho*threeAt(lm), threeAt(rush)
+        );
     }
-    return nBad;
+    else
+    {
+        scalar* W = d.W.data() + a*d.strideW;
+        scalar* U = x.U.data() + a*sU + atU;
+        label nBad = 0;
+        for (int i = 0; i < D; ++i)
+        {
+            const scalar v = perRho*lm[i];
+            nBad += !(mag(v) < VGREAT);
+            U[i] = disp[i];
+            U[second + i] = W[i] = v;
+            if constexpr (D == 2) U[2*D + i] = rush[i];
+        }
+        return nBad;
+    }
+}
+
+
+template<int D, bool finite>
+inline label variationalKernelTemplate<D, finite>::collectNode3
+(
+    vertexData& d,
+    variationalData& x,
+    const index a,
+    const row<4>& disp,
+    const row<4>& v,
+    const row<4>& rush
+)
+{
+    rowAt<8>(x.U.data() + a*sU) = joined(disp, v);
+    rowAt<4>(x.rush.data() + a*variationalLayout::strideRush(3)) = rush;
+    storeThree(d.W.data() + a*d.strideW, v);
+    const auto good = (v < VGREAT) & (v > -VGREAT);
+    return 4 + label(good[0] + good[1] + good[2] + good[3]);
 }
 
 
@@ -90,41 +115,41 @@ inline bool variationalKernelTemplate<D, finite>::deformNode
     {
         return deformRow(x, a, rowAt<8>(g));
     }
-    SolidTensor<D> F;
-    for (int i = 0; i < D; ++i)
+    else if constexpr (D == 3 && finite)
     {
-        for (int j = 0; j < D; ++j)
+        // By columns: those of the cofactor are the rows of the inverse, times
+        // the determinant
+        const row<4> F[3] =
         {
-            F(i, j) = (i == j ? 1 : 0) + g[j*sA + i];
-        }
-    }
-    F.out = 1;
-    const SolidTensor<D> H = cofactor(F);
-    const scalar det = determinant(F, H);
-    const scalar perDet = 1/det;
-    scalar* inverse = x.inverse.data() + a*nP;
-    scalar L[nP];
-    for (int i = 0; i < D; ++i)
-    {
-        for (int j = 0; j < D; ++j) inverse[i*D + j] = perDet*H(j, i);
-    }
-    for (int i = 0; i < D; ++i)
-    {
-        for (int j = 0; j < D; ++j)
+            lower(rowAt<8>(g)) + row<4>{1, 0, 0, 0},
+            lower(rowAt<8>(g + sA)) + row<4>{0, 1, 0, 0},
+            lower(rowAt<8>(g + 2*sA)) + row<4>{0, 0, 1, 0}
+        };
+        row<4> inverse[3] =
+            {cross(F[1], F[2]), cross(F[2], F[0]), cross(F[0], F[1])};
+        const scalar det = dotOfThree(F[0], inverse[0]);
+        const scalar perDet = 1/det;
+        for (int k = 0; k < D; ++k) inverse[k] *= perDet;
+        storeColumns
+        (
+            x.inverse.data() + a*nP, inverse[0], inverse[1], inverse[2]
+        );
+        row<4> L[D] = {};
+        for (int k = 0; k < D; ++k)
         {
-            scalar sum = 0;
-            for (int k = 0; k < D; ++k)
-            {
-                sum += g[k*sA + second + i]*inverse[k*D + j];
-            }
-            L[i*D + j] = sum;
+            const row<4> v = rowAt<4>(g + k*sA + second);
+            for (int j = 0; j < D; ++j) L[j] += v*inverse[k][j];
         }
+        for (int j = 0; j < D; ++j) rowAt<4>(g + j*sA + second) = L[j];
+        return det > 0;
     }
-    for (int i = 0; i < D; ++i)
+    else
     {
-        for (int j = 0; j < D; ++j) g[j*sA + second + i] = L[i*D + j];
+        const scalar F = 1 + g[0];
+        x.inverse[a] = 1/F;
+        g[second] *= x.inverse[a];
+        return F > 0;
     }
-    return det > 0;
 }
 
 
@@ -172,32 +197,42 @@ inline bool variationalKernelTemplate<D, finite>::moveNode
         rowAt<4>(F + a*nP) = f;
         rowAt<8>(sensor) = joined(f, squares);
     }
+    else if constexpr (D == 3)
+    {
+        rowAt<4>(sensor + atSquares) = squares;
+        row<4> f[D];
+        for (int j = 0; j < D; ++j)
+        {
+            f[j] = rowAt<4>(g + j*sA);
+            if (x.beta > 0) f[j] += perV*rowAt<4>(c + j*sC);
+        }
+        f[0] += row<4>{1, 0, 0, 0};
+        f[1] += row<4>{0, 1, 0, 0};
+        f[2] += row<4>{0, 0, 1, 0};
+        storeRows(F + a*nP, f[0], f[1], f[2]);
+        if constexpr (finite)
+        {
+            // As loadH() has it
+            const row<4> H = cross(f[1], f[2]);
+            storeColumns
+            (
+                d.state.H.data() + 9*a, H, cross(f[2], f[0]), cross(f[0], f[1])
+            );
+            const scalar J = dotOfThree(f[0], H);
+            if (x.smoothed) x.jacobian[a] = J;
+            return J > 0;
+        }
+    }
     else
     {
         rowAt<4>(sensor + atSquares) = squares;
-        for (int i = 0; i < D; ++i)
-        {
-            for (int j = 0; j < D; ++j)
-            {
-                scalar sum = g[j*sA + i];
-                if (x.beta > 0) sum += perV*c[j*sC + i];
-                F[a*nP + i*D + j] = (i == j ? 1 : 0) + sum;
-            }
-        }
+        F[a] = 1 + (x.beta > 0 ? g[0] + perV*c[0] : g[0]);
     }
 
     if constexpr (finite)
     {
         const SolidTensor<D> f = loadF<D>(F, a);
-        const SolidTensor<D> H = cofactor(f);
-        const scalar J = determinant(f, H);
-        if constexpr (D == 3)
-        {
-            for (int k = 0; k < 9; ++k)
-            {
-                d.state.H[9*a + placeH(k)] = H.in[k];
-            }
-        }
+        const scalar J = determinant(f);
         if (x.smoothed) x.jacobian[a] = J;
         return J > 0;
     }
@@ -256,47 +291,38 @@ inline void variationalKernelTemplate<D, finite>::stressNode
         rowAt<8>(T) =
             picked<0, 1, 8, 8, 2, 3, 8, 8>(joined(rowAt<4>(P), row<4>{}))
           + perV*(sum + jump);
-        return;
     }
-    if constexpr (D > 1)
+    else if constexpr (D == 3)
     {
         const scalar* jump =
             x.correction.cdata() + a*D*sC
           + variationalLayout::atJump(D, x.beta > 0);
-        for (int j = 0; j < D; ++j)
+        row<4> Z[D] = {};
+        for (int k = 0; k < D; ++k)
         {
-            for (int i = 0; i < D; ++i) T[j*sA + i] += jump[j*sC + i];
-        }
-    }
-    scalar Z[D][D];
-    for (int i = 0; i < D; ++i)
-    {
-        for (int j = 0; j < D; ++j)
-        {
+            const row<4> z = rowAt<4>(T + k*sA + second);
             if constexpr (finite)
             {
                 // Z (G x)^-T
                 const scalar* inverse = x.inverse.cdata() + a*nP;
-                scalar sum = 0;
-                for (int k = 0; k < D; ++k)
-                {
-                    sum += T[k*sA + second + i]*inverse[j*D + k];
-                }
-                Z[i][j] = sum;
+                for (int j = 0; j < D; ++j) Z[j] += z*inverse[j*D + k];
             }
             else
             {
-                Z[i][j] = T[j*sA + second + i];
+                Z[k] = z;
             }
         }
-    }
-    for (int j = 0; j < D; ++j)
-    {
-        for (int i = 0; i < D; ++i)
+        for (int j = 0; j < D; ++j)
         {
-            T[j*sA + i] = P[j*D + i] + perV*T[j*sA + i];
-            T[j*sA + second + i] = perV*Z[i][j];
+            const row<4> X = rowAt<4>(T + j*sA) + rowAt<4>(jump + j*sC);
+            rowAt<8>(T + j*sA) =
+                joined(threeOf(rowAt<4>(P + j*D)) + perV*X, perV*Z[j]);
         }
+    }
+    else
+    {
+        T[0] = P[0] + perV*T[0];
+        T[second] *= finite ? perV*x.inverse[a] : perV;
     }
 }
 

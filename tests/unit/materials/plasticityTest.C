@@ -377,6 +377,90 @@ TEST_CASE("random paths: yield condition, dissipation", "[materials][serial]")
 }
 
 
+//- The same steps, once with the flow that the stress has found
+template<int D>
+void keptFlow(const materialModel& model)
+{
+    Random random(7 + D);
+    plasticPoint<D> one(model), other(model);
+    other.s.keepFlow();
+    auto F = SolidTensor<D>::identity();
+    label nFlown = 0, nElastic = 0;
+    for (label i = 0; i < 200; ++i)
+    {
+        F = combine(1, F, 0.01, randomTensor<D>(random));
+        F.out = 1;
+        const scalar dissipated = one.step(F);
+        other.deform(F);
+        other.s.sinceCommit = 1;
+        other.stress();
+        CHECK(model.commit(other.s, other.one) == Approx(dissipated));
+        CHECK(other.s.sinceCommit == 0);
+        CHECK(mag(one.strain() - other.strain()) <= 1e-13);
+        forAll(one.s.Cpi, k)
+        {
+            CHECK(mag(one.s.Cpi[k] - other.s.Cpi[k]) <= 1e-12);
+        }
+        forAll(one.s.temperature, k)
+        {
+            CHECK(mag(one.s.temperature[k] - other.s.temperature[k]) <= 1e-9);
+        }
+        (dissipated > 0 ? nFlown : nElastic)++;
+    }
+    CHECK(nFlown > 50);
+    CHECK(nElastic > 5);
+}
+
+TEST_CASE("flow that is kept is what is committed", "[materials][serial]")
+{
+    for
+    (
+        const std::string& text :
+        {
+            std::string(linear),
+            std::string
+            (
+                "type HenckyVonMises; rho 1; mu 40; kappa 100; "
+                "JohnsonCook { A 0.5; B 2; n 0.5; C 0.1; referenceRate 0.01; "
+                "m 1; Tmelt 1000; } "
+                "adiabaticHeating { beta 0.9; cp 0.002; T0 300; }"
+            )
+        }
+    )
+    {
+        const auto model(materialFrom(text));
+        keptFlow<1>(*model);
+        keptFlow<2>(*model);
+        keptFlow<3>(*model);
+    }
+}
+
+
+TEST_CASE("energy of many nodes is that of each", "[materials][serial]")
+{
+    const auto model(materialFrom(linear));
+    Random random(3);
+    conservedState s(19, 3, kinematicSet::F, true);
+    s.makePlastic();
+    scalarField volume(s.nNodes), one(s.nNodes, scalar(1));
+    scalar sum = 0;
+    const auto deform = [&]()
+    {
+        forAll(s.F, k) s.F[k] += 0.02*(random.sample01<scalar>() - 0.5);
+    };
+    deform();
+    model->commit(s, one);
+    deform();
+    forAll(volume, a)
+    {
+        volume[a] = 1 + random.sample01<scalar>();
+        sum += volume[a]*model->strainEnergy(s, a);
+    }
+    CHECK(sum > 0);
+    CHECK(model->totalStrainEnergy(s, volume) == Approx(sum).epsilon(1e-13));
+}
+
+
 TEST_CASE("two dimensions are three with a plane", "[materials][serial]")
 {
     const auto model(materialFrom(linear));

@@ -8,6 +8,7 @@
 #include "principalValues.H"
 #include "dictionaryCheck.H"
 #include "addToRunTimeSelectionTable.H"
+#include <algorithm>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -108,14 +109,87 @@ SolidTensor<D> loadCpi(const conservedState& s, const label i)
 }
 
 template<int D>
-void storeCpi(conservedState& s, const label i, const SolidTensor<D>& C)
+void storeCpi(scalar* p, const SolidTensor<D>& C)
 {
-    scalar* p = s.Cpi.data() + i*s.strideCpi;
     for (int a = 0; a < D; ++a)
     {
         for (int b = a; b < D; ++b) *p++ = 0.5*(C(a, b) + C(b, a));
     }
     if (D < 3) *p = C.out;
+}
+
+//- Flow of a node from its trial state: growth of the equivalent plastic
+//  strain, what is left of the trial stress, and the work of the flow [J/m3]
+struct flowState
+{
+    scalar increment = 0;
+    scalar shrink = 1;
+    scalar work = 0;
+
+    template<int D, class Hardening>
+    flowState
+    (
+        const trialState<D>& trial,
+        const Hardening& yield,
+        const conservedState& s,
+        const label i,
+        const scalar threeMu
+    )
+    {
+        const scalar strain = s.epsilonPEq[i];
+        const scalar soft = hardening::softening(yield, s.temperature, i);
+        const scalar before = soft*yield.yield(strain);
+        if (!(trial.q > before))
+        {
+            return;
+        }
+        increment = hardening::softenedIncrement
+        (
+            yield, soft, trial.q, strain, threeMu, s.sinceCommit
+        );
+        shrink -= threeMu*increment/trial.q;
+
+        // The mean stress of the increment, also where it is above the yield
+        // stress at rest
+        work = increment*0.5*(before + shrink*trial.q);
+    }
+};
+
+//- Cp^-1 after the flow, F^-1 b_e F^-T with the cofactor G of F
+template<int D>
+SolidTensor<D> flownCpi
+(
+    const trialState<D>& trial,
+    const scalar shrink,
+    const SolidTensor<D>& G,
+    const scalar detF
+)
+{
+    scalar square[3];
+    for (int k = 0; k < 3; ++k)
+    {
+        square[k] = std::exp(2*(trial.mean + shrink*trial.deviator[k]));
+    }
+    const SolidTensor<D> be = trial.b.compose(square);
+    const scalar perSquare = 1/sqr(detF);
+    SolidTensor<D> C;
+    for (int a = 0; a < D; ++a)
+    {
+        scalar Gb[D];
+        for (int k = 0; k < D; ++k)
+        {
+            Gb[k] = 0;
+            for (int m = 0; m < D; ++m) Gb[k] += G(m, a)*be(m, k);
+        }
+        for (int b = 0; b < D; ++b)
+        {
+            scalar sum = 0;
+            for (int k = 0; k < D; ++k) sum += Gb[k]*G(k, b);
+            C(a, b) = perSquare*sum;
+        }
+    }
+    C.out = be.out;
+    return C;
 }
 
 //- Call f(i, trial) with all nodes and their trial states. Principal values,
@@ -223,24 +297,26 @@ void Foam::HenckyVonMises::stressLoop
             s.solvesH ? loadH<D>(F, s.H.cdata(), i) : G;
         const scalar J = s.solvesJ ? s.J[i] : detF;
 
-        const scalar strain = s.epsilonPEq[i];
-        const scalar soft = hardening::softening(yield, s.temperature, i);
-        scalar shrink = 1;
-        if (trial.q > soft*yield.yield(strain))
+        const flowState flow(trial, yield, s, i, threeMu);
+        if (s.keepsFlow)
         {
-            shrink -=
-                threeMu/trial.q
-               *hardening::softenedIncrement
+            s.flow.increment[i] = flow.increment;
+            if (flow.increment > 0)
+            {
+                s.flow.work[i] = flow.work;
+                storeCpi
                 (
-                    yield, soft, trial.q, strain, threeMu, s.sinceCommit
+                    s.flow.Cpi.data() + i*s.strideCpi,
+                    flownCpi(trial, flow.shrink, G, detF)
                 );
+            }
         }
 
         // Kirchhoff stress, and P = tau F^-T + SigmaJ H
         scalar tau[3];
         for (int k = 0; k < 3; ++k)
         {
-            tau[k] = shrink*twoMu*trial.deviator[k];
+            tau[k] = flow.shrink*twoMu*trial.deviator[k];
         }
         const SolidTensor<D> T = trial.b.compose(tau);
         const scalar SJ = kappa()*std::log(J)/J;
@@ -275,77 +351,74 @@ Foam::scalar Foam::HenckyVonMises::commitLoop
 ) const
 {
     const scalar threeMu = 3*mu();
-    const bool heated = s.temperature.size();
     scalar dissipated = 0;
-
     forTrialStates<D>(s, mu(), [&](const label i, const trialState<D>& trial)
     {
-        const scalar strain = s.epsilonPEq[i];
-        const scalar soft = hardening::softening(yield, s.temperature, i);
-        const scalar before = soft*yield.yield(strain);
-        if (!(trial.q > before))
+        const flowState flow(trial, yield, s, i, threeMu);
+        if (flow.increment > 0)
         {
-            return;
+            const SolidTensor<D> F = loadF<D>(s.F.cdata(), i);
+            const SolidTensor<D> G = cofactor(F);
+            storeCpi
+            (
+                s.Cpi.data() + i*s.strideCpi,
+                flownCpi(trial, flow.shrink, G, determinant(F, G))
+            );
+            dissipated += takeFlow(s, i, weight[i], flow.increment, flow.work);
         }
-        const SolidTensor<D> F = loadF<D>(s.F.cdata(), i);
-
-        const scalar d = hardening::softenedIncrement
-        (
-            yield, soft, trial.q, strain, threeMu, s.sinceCommit
-        );
-        const scalar shrink = 1 - threeMu*d/trial.q;
-
-        // b_e, and Cp^-1 = F^-1 b_e F^-T
-        scalar square[3];
-        for (int k = 0; k < 3; ++k)
-        {
-            square[k] = std::exp(2*(trial.mean + shrink*trial.deviator[k]));
-        }
-        const SolidTensor<D> be = trial.b.compose(square);
-        const SolidTensor<D> G = cofactor(F);
-        const scalar perSquare = 1/sqr(determinant(F, G));
-        SolidTensor<D> C;
-        for (int a = 0; a < D; ++a)
-        {
-            scalar Gb[D];
-            for (int k = 0; k < D; ++k)
-            {
-                Gb[k] = 0;
-                for (int m = 0; m < D; ++m) Gb[k] += G(m, a)*be(m, k);
-            }
-            for (int b = 0; b < D; ++b)
-            {
-                scalar sum = 0;
-                for (int k = 0; k < D; ++k) sum += Gb[k]*G(k, b);
-                C(a, b) = perSquare*sum;
-            }
-        }
-        C.out = be.out;
-        storeCpi(s, i, C);
-        s.epsilonPEq[i] = strain + d;
-
-        // Work of the flow: the mean stress of the increment, also where it
-        // is above the yield stress at rest
-        const scalar work = d*0.5*(before + shrink*trial.q);
-        dissipated += weight[i]*work;
-        if (heated) s.temperature[i] += heatPerWork_*work;
     });
-
-    s.sinceCommit = 0;
     return dissipated;
 }
 
 
-template<int D>
-Foam::scalar Foam::HenckyVonMises::energyOfDim
+Foam::scalar Foam::HenckyVonMises::takeFlow
 (
-    const conservedState& s,
-    const label i
+    conservedState& s,
+    const label i,
+    const scalar weight,
+    const scalar increment,
+    const scalar work
 ) const
 {
-    const SolidTensor<D> F = loadF<D>(s.F.cdata(), i);
-    const scalar J = s.solvesJ ? s.J[i] : determinant(F);
-    const trialState<D> trial(F, loadCpi<D>(s, i), mu());
+    s.epsilonPEq[i] += increment;
+    if (s.temperature.size()) s.temperature[i] += heatPerWork_*work;
+    return weight*work;
+}
+
+
+Foam::scalar Foam::HenckyVonMises::takeKeptFlow
+(
+    conservedState& s,
+    const scalarField& weight
+) const
+{
+    const label n = s.strideCpi;
+    scalar dissipated = 0;
+    for (label i = 0; i < s.nNodes; ++i)
+    {
+        const scalar increment = s.flow.increment[i];
+        if (increment > 0)
+        {
+            const scalar* C = s.flow.Cpi.cdata() + i*n;
+            std::copy(C, C + n, s.Cpi.data() + i*n);
+            dissipated +=
+                takeFlow(s, i, weight[i], increment, s.flow.work[i]);
+        }
+    }
+    return dissipated;
+}
+
+
+template<int D, class TrialState>
+Foam::scalar Foam::HenckyVonMises::energyOf
+(
+    const conservedState& s,
+    const label i,
+    const TrialState& trial
+) const
+{
+    const scalar J =
+        s.solvesJ ? s.J[i] : determinant(loadF<D>(s.F.cdata(), i));
     scalar sum = 0;
     for (int k = 0; k < 3; ++k) sum += sqr(trial.deviator[k]);
     return mu()*sum + 0.5*kappa()*sqr(std::log(J));
@@ -499,13 +572,18 @@ Foam::scalar Foam::HenckyVonMises::commit
     const scalarField& weight
 ) const
 {
-    return withHardening([&](const auto& h)
-    {
-        return withDirections(s.nDim, [&](auto D)
+    const scalar dissipated =
+        s.keepsFlow
+      ? takeKeptFlow(s, weight)
+      : withHardening([&](const auto& h)
         {
-            return commitLoop<D.value>(h, s, weight);
+            return withDirections(s.nDim, [&](auto D)
+            {
+                return commitLoop<D.value>(h, s, weight);
+            });
         });
-    });
+    s.sinceCommit = 0;
+    return dissipated;
 }
 
 
@@ -517,7 +595,29 @@ Foam::scalar Foam::HenckyVonMises::strainEnergy
 {
     return withDirections(s.nDim, [&](auto D)
     {
-        return energyOfDim<D.value>(s, node);
+        const trialState<D.value> trial
+        (
+            loadF<D.value>(s.F.cdata(), node), loadCpi<D.value>(s, node), mu()
+        );
+        return energyOf<D.value>(s, node, trial);
+    });
+}
+
+
+Foam::scalar Foam::HenckyVonMises::totalStrainEnergy
+(
+    const conservedState& s,
+    const scalarField& volume
+) const
+{
+    return withDirections(s.nDim, [&](auto D)
+    {
+        scalar sum = 0;
+        forTrialStates<D.value>(s, mu(), [&](const label i, const auto& trial)
+        {
+            sum += volume[i]*energyOf<D.value>(s, i, trial);
+        });
+        return sum;
     });
 }
 

@@ -4,9 +4,12 @@
 
 from pathlib import Path
 
-from spack_repo.builtin.build_systems.generic import Package
-
 from spack.package import *
+
+try:
+    from spack_repo.builtin.build_systems.generic import Package
+except ImportError:
+    pass    # before Spack 1.0 spack.package has it
 
 # etc/spack/spack_repo/vertexcontact/packages/vertexcontact/package.py
 CHECKOUT = Path(__file__).resolve().parents[6]
