@@ -128,7 +128,7 @@ void Foam::nativeDual::calculate
                 scalar c[3];
                 halfCross(toCentre, toFace, c);
 
-                addPart(p, q, c, x, nDim, dual);
+                addPart(p, q, c, x, 3, dual);
             }
         }
     }

@@ -101,22 +101,6 @@ Foam::directionConstraint::directionConstraint
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::directionConstraint::project
-(
-    scalar* data,
-    const label stride
-) const
-{
-    forAll(nodes_, i)
-    {
-        project
-        (
-            data + nodes_[i]*stride, i, [](const label, const scalar) {}
-        );
-    }
-}
-
-
 void Foam::directionConstraint::impose
 (
     scalar* lm,

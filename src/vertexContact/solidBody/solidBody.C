@@ -758,19 +758,7 @@ void Foam::solidBody::finishRates(const scalar time, const bool energy)
     }
     if (damping_.valid()) damping_->setTime(time);
     addBodyForces(time, energy);
-    if (reactions_.valid())
-    {
-        const label d = dual_.nDim();
-        forAll(reactions_->nodes, k)
-        {
-            const scalar* rate =
-                data_.rates.cdata() + reactions_->nodes[k]*data_.strideRates;
-            for (label i = 0; i < d; ++i)
-            {
-                reactions_->freeRates[k*d + i] = rate[i];
-            }
-        }
-    }
+    if (reactions_.valid()) reactions_->takeFree(data_);
     if (data_.variational) react();
 
     if (symmetry_.active())
@@ -958,7 +946,7 @@ void Foam::solidBody::restoreOld()
         data_.state.assignSolved(data_.old);
     }
     data_.state.sinceCommit = 0;
-    if (reactions_.valid()) reactions_->patches = reactions_->old;
+    if (reactions_.valid()) reactions_->restore();
     if (keptCpi_.size())
     {
         data_.state.Cpi = keptCpi_;

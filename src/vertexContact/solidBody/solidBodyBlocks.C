@@ -20,17 +20,9 @@ void Foam::solidBody::completeContact()
     const label d = dual_.nDim();
     dual_.sharing().sum(work_.data(), d);
     if (symmetry_.active()) symmetry_.project(work_.data(), d);
-    for (const label k : directionContacts_)
+    for (const label k : heldContacts_)
     {
-        directions_.project
-        (
-            work_.data() + directions_.nodes()[k]*d, k,
-            [](const label, const scalar) {}
-        );
-    }
-    for (const label a : fixedContactNodes_)
-    {
-        for (label i = 0; i < d; ++i) work_[a*d + i] = 0;
+        held_.hold(k, work_.data() + held_.nodes()[k]*d);
     }
 }
 

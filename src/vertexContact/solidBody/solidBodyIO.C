@@ -649,13 +649,13 @@ void Foam::solidBody::visitContactFields(const Use& use) const
             "contactGap", dimLength,
             [&](const label a) { return gap[a] < 0.1*GREAT ? gap[a] : 0; }
         );
-        if (contact_.slides)
+        if (contact_.slide.on())
         {
             use
             (
                 vector::zero,
                 "contactSlide", dimLength,
-                [&](const label a) { return contact_.slide[a]; }
+                [&](const label a) { return contact_.slide.ways()[a]; }
             );
         }
     }
@@ -716,7 +716,7 @@ Foam::wordList Foam::solidBody::fieldNames() const
     if (hasContact_)
     {
         names.append({"contactStatus", "contactTraction", "contactGap"});
-        if (contact_.slides) names.append("contactSlide");
+        if (contact_.slide.on()) names.append("contactSlide");
     }
     return wordList(names);
 }

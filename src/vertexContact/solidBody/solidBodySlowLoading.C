@@ -16,23 +16,14 @@ Description
 void Foam::solidBody::findHeld()
 {
     if (rigid_.valid() || heldBy_.size()) return;
-    heldBy_.setSize(dual_.nNodes(), 0);
-    for (const label a : fixedNodes_) heldBy_[a] = 1;
-    forAll(directions_.nodes(), k) heldBy_[directions_.nodes()[k]] = 2 + k;
+    heldBy_.setSize(dual_.nNodes(), -1);
+    forAll(held_.nodes(), k) heldBy_[held_.nodes()[k]] = k;
 }
 
 
 void Foam::solidBody::freePart(const label node, scalar* p) const
 {
-    const label by = heldBy_[node];
-    if (by == 1)
-    {
-        for (label i = 0; i < dual_.nDim(); ++i) p[i] = 0;
-    }
-    else if (by > 1)
-    {
-        directions_.project(p, by - 2, [](const label, const scalar) {});
-    }
+    if (heldBy_[node] >= 0) held_.hold(heldBy_[node], p);
 }
 
 
@@ -71,7 +62,7 @@ Foam::scalar Foam::solidBody::dampingPower
     {
         scalar v[3];
         for (label i = 0; i < d; ++i) v[i] = velocity[a*d + i];
-        if (heldBy_[a]) freePart(a, v);
+        freePart(a, v);
         scalar vv = 0;
         for (label i = 0; i < d; ++i) vv += v[i]*v[i];
         sum += ownedVolume_[a]*vv;
@@ -98,7 +89,7 @@ Foam::scalar Foam::solidBody::dampedVelocity
     {
         change[j] = (half*rate[j] - 2*T*lm[j])/(1 + T);
     }
-    if (heldBy_[node]) freePart(node, change);
+    freePart(node, change);
     return (lm[i] + change[i])/data_.rho;
 }
 
@@ -176,7 +167,7 @@ Foam::scalar Foam::solidBody::freeKineticEnergy() const
     {
         scalar lm[3];
         for (label i = 0; i < d; ++i) lm[i] = data_.state.lm[a*d + i];
-        if (heldBy_[a]) freePart(a, lm);
+        freePart(a, lm);
         scalar square = 0;
         for (label i = 0; i < d; ++i) square += lm[i]*lm[i];
         sum += ownedVolume_[a]*square;
@@ -200,8 +191,7 @@ Foam::scalar Foam::solidBody::heldKineticEnergy() const
             sum += ownedVolume_[a]*sqr(held[i] - lm[i]);
         }
     };
-    for (const label a : fixedNodes_) add(a);
-    for (const label a : directions_.nodes()) add(a);
+    for (const label a : held_.nodes()) add(a);
     return 0.5*sum/data_.rho;
 }
 
@@ -218,7 +208,7 @@ void Foam::solidBody::stop()
     for (label a = 0; a < dual_.nNodes(); ++a)
     {
         scalar* lm = data_.state.lm.data() + a*d;
-        if (!heldBy_[a])
+        if (heldBy_[a] < 0)
         {
             for (label i = 0; i < d; ++i) lm[i] = 0;
             continue;

@@ -18,90 +18,6 @@ Description
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::solidBody::findSurfaceNodes()
-{
-    // A node of several such patches has the motion of the first one; also
-    // on ranks that have none of its faces there
-    scalarField placeOf(dual_.nNodes(), GREAT);
-    DynamicList<heldPatch> held;
-    DynamicList<directionConstraint::condition> along;
-    for (const dualPatch& patch : dual_.patches())
-    {
-        const label patchi = patch.patchIndex;
-        const prescribedMotion* motion =
-            corners_.set(patchi) ? condition(patchi).motion() : nullptr;
-        if (!motion) continue;
-        if (!motion->complete())
-        {
-            along.append
-            (
-                directionConstraint::condition
-                {
-                    patchi, motion->ofDisplacement(), motion->directions()
-                }
-            );
-            continue;
-        }
-        for (const label a : patch.cornerNode)
-        {
-            placeOf[a] = min(placeOf[a], scalar(held.size()));
-        }
-        held.append
-        (
-            heldPatch
-            {
-                patchi, motion->ofDisplacement(), FixedList<scalar, 3>(Zero)
-            }
-        );
-    }
-    dual_.sharing().min(placeOf.data(), 1);
-
-    DynamicList<label> nodes, places;
-    forAll(placeOf, a)
-    {
-        if (placeOf[a] < 0.1*GREAT)
-        {
-            nodes.append(a);
-            places.append(label(placeOf[a] + 0.5));
-        }
-    }
-    fixedNodes_.transfer(nodes);
-    fixedPlace_.transfer(places);
-    held_.transfer(held);
-    directions_ = directionConstraint(dual_, symmetry_, along, fixedNodes_);
-    directionPatches_.setSize(along.size());
-    forAll(along, i) directionPatches_[i] = along[i].patch;
-    directionValues_.setSize(along.size()*dual_.nDim(), Zero);
-
-    scalarField touches(dual_.nNodes(), Zero);
-    for (const dualPatch& patch : dual_.patches())
-    {
-        const label patchi = patch.patchIndex;
-        if (corners_.set(patchi) && condition(patchi).contact())
-        {
-            for (const label a : patch.cornerNode) touches[a] = 1;
-        }
-    }
-    dual_.sharing().max(touches.data(), 1);
-    DynamicList<label> inContact, fixed, someWay;
-    forAll(touches, a)
-    {
-        if (touches[a] > 0.5) inContact.append(a);
-    }
-    for (const label a : fixedNodes_)
-    {
-        if (touches[a] > 0.5) fixed.append(a);
-    }
-    forAll(directions_.nodes(), i)
-    {
-        if (touches[directions_.nodes()[i]] > 0.5) someWay.append(i);
-    }
-    contactNodes_.transfer(inContact);
-    fixedContactNodes_.transfer(fixed);
-    directionContacts_.transfer(someWay);
-}
-
-
 void Foam::solidBody::completeTensors
 (
     scalar* data,
@@ -471,17 +387,16 @@ void Foam::solidBody::holdDissipation()
     scalar* damping = data_.rates.data() + variationalLayout::second(d);
     const label stride = data_.strideRates;
     if (symmetry_.active()) symmetry_.project(damping, stride);
-    const auto isHeld = [&](const label a)
+    forAll(held_.nodes(), k)
     {
-        for (label i = 0; i < d; ++i) damping[a*stride + i] = 0;
-    };
-    for (const label a : fixedNodes_) isHeld(a);
-    if (directions_.active()) directions_.project(damping, stride);
+        held_.hold(k, damping + held_.nodes()[k]*stride);
+    }
     if (hasContact_)
     {
         for (const label a : contactNodes_)
         {
-            if (contact_.status[a] >= 0.5) isHeld(a);
+            if (contact_.status[a] < 0.5) continue;
+            for (label i = 0; i < d; ++i) damping[a*stride + i] = 0;
         }
     }
 }
@@ -548,40 +463,19 @@ void Foam::solidBody::addContactForces()
         for (label i = 0; i < d; ++i) sum[a*d + i] = contactForce_[a*d + i];
     }
     dual_.sharing().sum(sum.data(), d);
-    if (reactions_.valid())
-    {
-        for (const label k : reactions_->touching)
-        {
-            const label a = reactions_->nodes[k];
-            for (label i = 0; i < d; ++i)
-            {
-                reactions_->contactRates[k*d + i] = sum[a*d + i];
-            }
-        }
-    }
+    if (reactions_.valid()) reactions_->takeContact(sum, d);
     if (symmetry_.active()) symmetry_.project(sum.data(), d);
-    for (const label k : directionContacts_)
+    for (const label k : heldContacts_)
     {
-        const label a = directions_.nodes()[k];
+        const label a = held_.nodes()[k];
         const bool owned = dual_.sharing().owned()[a];
-        directions_.project
+        held_.hold
         (
-            sum.data() + a*d, k, [&](const label i, const scalar f)
+            k, sum.data() + a*d, [&](const label i, const scalar f)
             {
                 if (owned) externalForce_[a*d + i] -= f;
             }
         );
-    }
-    for (const label a : fixedContactNodes_)
-    {
-        for (label i = 0; i < d; ++i)
-        {
-            if (dual_.sharing().owned()[a])
-            {
-                externalForce_[a*d + i] -= sum[a*d + i];
-            }
-            sum[a*d + i] = 0;
-        }
     }
     for (const label a : contactNodes_)
     {
@@ -593,16 +487,14 @@ void Foam::solidBody::addContactForces()
 
 void Foam::solidBody::rememberSlide()
 {
-    if (contact_.slides) return;
-    contact_.slides = true;
-    contact_.slide.setSize(dual_.nNodes(), vector::zero);
-    contact_.slideSums.setSize(5*dual_.nNodes(), Zero);
+    if (contact_.slide.on()) return;
+    contact_.slide.start(dual_.nNodes());
     const auto slide = readIfPresent<vector>("contactSlide", dimLength);
     if (slide.valid())
     {
-        forAll(contact_.slide, a)
+        forAll(contact_.slide.ways(), a)
         {
-            contact_.slide[a] =
+            contact_.slide.ways()[a] =
                 slide().primitiveField()[dual_.nodePoint()[a]];
         }
     }
@@ -611,24 +503,11 @@ void Foam::solidBody::rememberSlide()
 
 void Foam::solidBody::finishSlide()
 {
-    if (!contact_.slides) return;
-    dual_.sharing().sum(contact_.slideSums.data(), 5);
-    for (const label a : contactNodes_)
-    {
-        scalar* sums = contact_.slideSums.data() + 5*a;
-        if (sums[3] > 0)
-        {
-            const vector way(sums[0], sums[1], sums[2]);
-            contact_.slide[a] =
-                (sums[4]/sums[3])*contact_.slide[a]
-              + (inv(deformationGradient(a)) & way)/sums[3];
-        }
-        else
-        {
-            contact_.slide[a] = vector::zero;
-        }
-        for (label i = 0; i < 5; ++i) sums[i] = 0;
-    }
+    contact_.slide.finish
+    (
+        dual_.sharing(), contactNodes_,
+        [this](const label a) { return deformationGradient(a); }
+    );
 }
 
 
@@ -656,83 +535,19 @@ Foam::vector Foam::solidBody::meanStepVelocity(const label node) const
 void Foam::solidBody::react()
 {
     const label d = dual_.nDim();
-    for (const label a : fixedNodes_)
+    forAll(held_.nodes(), k)
     {
+        const label a = held_.nodes()[k];
         const bool owned = dual_.sharing().owned()[a];
-        scalar* rate = data_.rates.data() + a*data_.strideRates;
-        for (label i = 0; i < d; ++i)
-        {
-            if (owned) externalForce_[a*d + i] -= rate[i];
-            rate[i] = 0;
-        }
-    }
-    forAll(directions_.nodes(), k)
-    {
-        const label a = directions_.nodes()[k];
-        const bool owned = dual_.sharing().owned()[a];
-        directions_.project
+        held_.hold
         (
-            data_.rates.data() + a*data_.strideRates, k,
+            k, data_.rates.data() + a*data_.strideRates,
             [&](const label i, const scalar f)
             {
                 if (owned) externalForce_[a*d + i] -= f;
             }
         );
     }
-}
-
-
-void Foam::solidBody::impose(const scalar time, const scalar deltaT)
-{
-    const label d = dual_.nDim();
-    const auto set = [&]
-    (
-        const label patchi,
-        const bool ofDisplacement,
-        scalar* value
-    )
-    {
-        const vector v
-        (
-            condition(patchi).motion()->value
-            (
-                ofDisplacement ? time + deltaT : time + 0.5*deltaT
-            )
-        );
-        for (label i = 0; i < d; ++i) value[i] = v[dual_.directions()[i]];
-    };
-
-    scalar* lm = data_.state.lm.data();
-    for (heldPatch& h : held_) set(h.patch, h.ofDisplacement, h.value.data());
-    forAll(fixedNodes_, k)
-    {
-        const label a = fixedNodes_[k];
-        const heldPatch& h = held_[fixedPlace_[k]];
-        for (label i = 0; i < d; ++i)
-        {
-            lm[a*d + i] =
-                data_.rho
-               *(
-                    h.ofDisplacement
-                  ? (h.value[i] - data_.state.disp[a*d + i])/deltaT
-                  : h.value[i]
-                );
-        }
-    }
-
-    forAll(directionPatches_, c)
-    {
-        const label patchi = directionPatches_[c];
-        set
-        (
-            patchi, condition(patchi).motion()->ofDisplacement(),
-            directionValues_.data() + c*d
-        );
-    }
-    directions_.impose
-    (
-        lm, data_.state.disp.cdata(), directionValues_, data_.rho, deltaT
-    );
 }
 
 
@@ -743,29 +558,17 @@ Foam::scalar Foam::solidBody::imposedWork(const scalarField& velocity) const
     const scalar* lm = data_.state.lm.cdata();
     const scalar* old = data_.old.lm.cdata();
     scalar work = 0;
-    for (const label a : fixedNodes_)
+    forAll(held_.nodes(), k)
     {
-        if (dual_.sharing().owned()[a])
-        {
-            for (label i = 0; i < d; ++i)
-            {
-                work +=
-                    dual_.nodeVolume()[a]*v[a*d + i]
-                   *(lm[a*d + i] - old[a*d + i]);
-            }
-        }
-    }
-    forAll(directions_.nodes(), k)
-    {
-        const label a = directions_.nodes()[k];
+        const label a = held_.nodes()[k];
         if (!dual_.sharing().owned()[a]) continue;
         scalar change[3];
         for (label i = 0; i < d; ++i) change[i] = lm[a*d + i] - old[a*d + i];
-        directions_.project
+        held_.hold
         (
-            change, k, [&](const label i, const scalar along)
+            k, change, [&](const label i, const scalar given)
             {
-                work += dual_.nodeVolume()[a]*v[a*d + i]*along;
+                work += dual_.nodeVolume()[a]*v[a*d + i]*given;
             }
         );
     }
@@ -906,7 +709,11 @@ void Foam::solidBody::leap
             }
         }
     });
-    impose(time, deltaT);
+    held_.impose
+    (
+        data_.state.lm.data(), data_.state.disp.cdata(), data_.rho, time,
+        deltaT
+    );
     if (symmetry_.active()) symmetry_.project(lm, d);
 
     if (energy)
@@ -926,7 +733,7 @@ void Foam::solidBody::leap
                 kick*dampingPower(v, damping_->ofMean(kick));
         }
     }
-    if (reactions_.valid()) accountReactions(kick);
+    if (reactions_.valid()) reactions_->add(data_, kick);
 
     if (d > 1) holdDissipation();
     nBadCollected_ = variational_->move(data_, *x_, deltaT, kick);

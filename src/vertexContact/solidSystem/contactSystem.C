@@ -201,7 +201,7 @@ void Foam::contactSystem::keepStart()
     forAll(bodies_, i)
     {
         oldStatus_[i] = bodies_[i].contact().status;
-        oldSlide_[i] = bodies_[i].contact().slide;
+        oldSlide_[i] = bodies_[i].contact().slide.ways();
     }
     for (contactInterface& contact : interfaces_)
     {
@@ -215,7 +215,7 @@ void Foam::contactSystem::restoreStart()
     forAll(bodies_, i)
     {
         bodies_[i].contact().status = oldStatus_[i];
-        bodies_[i].contact().slide = oldSlide_[i];
+        bodies_[i].contact().slide.ways() = oldSlide_[i];
     }
     for (contactInterface& contact : interfaces_)
     {

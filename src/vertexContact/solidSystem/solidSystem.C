@@ -182,7 +182,7 @@ void Foam::solidSystem::keepStart()
         {
             body.keepPlasticity();
         }
-        body.startReactions();
+        if (body.reactions().valid()) body.reactions()->startStep();
     }
 }
 

@@ -280,7 +280,7 @@ void Foam::solidSystem::accountReactions()
     bool on = true;
     for (solidBody& body : bodies_)
     {
-        if (body.reactionsOn()) continue;
+        if (body.reactions().valid()) continue;
         body.accountReactions();
         on = false;
     }

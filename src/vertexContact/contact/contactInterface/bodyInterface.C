@@ -1012,7 +1012,7 @@ void Foam::bodyInterface::slideOverlaps
             const int l = near.lane[k];
             const bool stuck =
                 p.result.state == acousticRiemann::status::stick;
-            body.addSlide
+            body.contact().slide.add
             (
                 minusNode[minusCorners_[b.minus.slot[0][l]]],
                 p.area,

@@ -425,7 +425,7 @@ void Foam::obstacleInterface::slide(const scalar middle, const scalar deltaT)
 
         const label node = cornerNode[planes_[i].corner];
         const bool stuck = p.result.state == acousticRiemann::status::stick;
-        body.addSlide
+        body.contact().slide.add
         (
             node,
             p.area,

@@ -53,14 +53,16 @@ Foam::scalarList Foam::functionObjects::reactionForces::collect
     DynamicList<scalar> sums, its;
     forAll(patches_, i)
     {
-        const solidBody& body = solids_.bodies()[i];
+        const constraintReactions& reactions =
+            *solids_.bodies()[i].reactions();
         for (const label patchi : patches_[i])
         {
-            const solidBody::patchReaction& r = body.reaction(patchi);
+            const constraintReactions::patchReaction& r =
+                reactions.of(patchi);
             for (const scalar c : r.impulse) sums.append(c);
             sums.append(r.work);
             for (const scalar c : r.stepImpulse) sums.append(c);
-            its.append(body.reactionTime());
+            its.append(reactions.stepTime());
         }
     }
     times = its;
@@ -142,7 +144,7 @@ Foam::functionObjects::reactionForces::reactionForces
                 const label k = names.find(nameOf(i, patchi));
                 if (k < 0) continue;
                 const scalar* s = sums.cdata() + k*nSums;
-                solidBody::patchReaction r;
+                constraintReactions::patchReaction r;
                 if (Pstream::master())
                 {
                     r.impulse = vector(s[0], s[1], s[2]);

@@ -4,13 +4,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 -------------------------------------------------------------------------------
 Description
-    Nodes whose motion is prescribed: what may be, and the reactions.
-
-    The reaction of a node is what the step applies to it: mass times the
-    difference of the velocity it is given and the one that all other forces
-    would give it, by the time for which they act. Nodes of prescribed motion
-    in all directions belong to the first of their patches; otherwise each
-    patch has the part of the force that is along its own directions.
+    Nodes whose motion is prescribed: what may be, and which they are.
 
 \*---------------------------------------------------------------------------*/
 
@@ -129,61 +123,38 @@ void Foam::solidBody::checkStart() const
 }
 
 
-void Foam::solidBody::accountReactions(const scalar kick)
+void Foam::solidBody::findSurfaceNodes()
 {
-    reactionAccount& r = *reactions_;
-    const label d = dual_.nDim();
-    const label nFixed = fixedNodes_.size();
-    const label nAlong = directions_.nodes().size();
-    r.stepTime += kick;
-
-    forAll(r.nodes, k)
+    DynamicList<heldNodes::condition> motions;
+    scalarField touches(dual_.nNodes(), Zero);
+    for (const dualPatch& patch : dual_.patches())
     {
-        const label a = r.nodes[k];
-        if (!dual_.sharing().owned()[a]) continue;
-
-        scalar impulse[3], v[3];
-        for (label i = 0; i < d; ++i)
+        const label patchi = patch.patchIndex;
+        if (!corners_.set(patchi)) continue;
+        const solidBoundaryCondition& its = condition(patchi);
+        if (its.motion())
         {
-            const scalar lm = data_.state.lm[a*d + i];
-            const scalar old = data_.old.lm[a*d + i];
-            impulse[i] =
-                dual_.nodeVolume()[a]
-               *(
-                    lm - old
-                  - kick*(r.freeRates[k*d + i] + r.contactRates[k*d + i])
-                );
-            v[i] = 0.5*(lm + old)/data_.rho;
+            motions.append(heldNodes::condition{patchi, its.motion()});
         }
-        const auto add = [&]
-        (
-            const label patchi,
-            const scalar* direction,
-            const scalar part
-        )
+        if (its.contact())
         {
-            patchReaction& its = r.patches[patchi];
-            for (label i = 0; i < d; ++i)
-            {
-                const label c = dual_.directions()[i];
-                its.impulse[c] += part*direction[i];
-                its.stepImpulse[c] += part*direction[i];
-                its.work += part*direction[i]*v[i];
-            }
-        };
-        if (k < nFixed)
-        {
-            add(held_[fixedPlace_[k]].patch, impulse, 1);
-        }
-        else if (k < nFixed + nAlong)
-        {
-            directions_.share(k - nFixed, impulse, add);
-        }
-        else
-        {
-            symmetry_.share(r.mirrors[k - nFixed - nAlong], impulse, add);
+            for (const label a : patch.cornerNode) touches[a] = 1;
         }
     }
+    held_ = heldNodes(dual_, symmetry_, motions);
+
+    dual_.sharing().max(touches.data(), 1);
+    DynamicList<label> inContact, held;
+    forAll(touches, a)
+    {
+        if (touches[a] > 0.5) inContact.append(a);
+    }
+    forAll(held_.nodes(), k)
+    {
+        if (touches[held_.nodes()[k]] > 0.5) held.append(k);
+    }
+    contactNodes_.transfer(inContact);
+    heldContacts_.transfer(held);
 }
 
 
@@ -191,54 +162,21 @@ void Foam::solidBody::accountReactions(const scalar kick)
 
 void Foam::solidBody::accountReactions()
 {
-    reactions_.reset(new reactionAccount);
-    reactionAccount& r = *reactions_;
-
-    labelHashSet held(fixedNodes_);
-    held.insert(directions_.nodes());
-    DynamicList<label> nodes, mirrors;
-    nodes.append(fixedNodes_);
-    nodes.append(directions_.nodes());
-    forAll(symmetry_.nodes(), i)
-    {
-        if (held.insert(symmetry_.nodes()[i]))
-        {
-            nodes.append(symmetry_.nodes()[i]);
-            mirrors.append(i);
-        }
-    }
-    r.nodes.transfer(nodes);
-    r.mirrors.transfer(mirrors);
-
-    const labelHashSet touches(contactNodes_);
-    DynamicList<label> touching;
-    forAll(r.nodes, k)
-    {
-        if (touches.found(r.nodes[k])) touching.append(k);
-    }
-    r.touching.transfer(touching);
-
-    r.freeRates.setSize(r.nodes.size()*dual_.nDim(), Zero);
-    r.contactRates = r.freeRates;
-    r.patches.setSize(mesh_.boundaryMesh().size());
-    r.old = r.patches;
-}
-
-
-void Foam::solidBody::startReactions()
-{
-    if (!reactions_.valid()) return;
-    reactions_->old = reactions_->patches;
-    for (patchReaction& r : reactions_->patches) r.stepImpulse = vector::zero;
-    reactions_->stepTime = 0;
+    reactions_.reset
+    (
+        new constraintReactions
+        (
+            held_, symmetry_, contactNodes_, mesh_.boundaryMesh().size(),
+            dual_.nDim()
+        )
+    );
 }
 
 
 Foam::labelList Foam::solidBody::reactingPatches() const
 {
     labelHashSet patches(mirrorPatches_);
-    for (const heldPatch& h : held_) patches.insert(h.patch);
-    patches.insert(directionPatches_);
+    patches.insert(held_.patches());
     return patches.sortedToc();
 }
 
