@@ -62,17 +62,18 @@ void variationalKernelTemplate<D, finite>::fluxLoop
     const scalar halfZs = 0.5*d.rho*d.cs;
     constexpr bool moves = finite && D > 1;
 
-    // Sums of S, M and N of both nodes; the smaller M, and minus the larger
-    // factor of waves
+    // Sums of S, M and N of both nodes and the smaller M; the least of all,
+    // which are M and minus the larger factor of waves
+    struct squares
+    {
+        row<4> sums, least;
+    };
     const auto squaresOf = [&](const index a, const index b)
     {
         const row<4> sa = rowAt<4>(sensor + a*sS + atSquares);
         const row<4> sb = rowAt<4>(sensor + b*sS + atSquares);
         const row<4> sum = sa + sb, least = sa < sb ? sa : sb;
-        return std::make_pair
-        (
-            row<4>{sum[0], sum[1], sum[2], least[1]}, least
-        );
+        return squares{{sum[0], sum[1], sum[2], least[1]}, least};
     };
 
     // In 2D and 3D: sums of the first node, in registers as long as it is the
@@ -174,7 +175,7 @@ void variationalKernelTemplate<D, finite>::fluxLoop
             lanesOf(of, [&](const int l)
             {
                 const index a = ends[2*l], b = ends[2*l + 1];
-                const auto squares = squaresOf(a, b);
+                const squares both = squaresOf(a, b);
                 if constexpr (corrects)
                 {
                     row<4> difference{};
@@ -193,9 +194,9 @@ void variationalKernelTemplate<D, finite>::fluxLoop
                 if constexpr (finite) deformed = waveArea3(H, C + l, a, b);
                 deformed = row<4>
                 {
-                    deformed[0], deformed[1], deformed[2], squares.second[3]
+                    deformed[0], deformed[1], deformed[2], both.least[3]
                 };
-                return joined(squares.first, deformed);
+                return joined(both.sums, deformed);
             });
             for (int i = 0; finite && i < D; ++i) c[i] = of[4 + i];
             S = of[0];
@@ -253,10 +254,10 @@ void variationalKernelTemplate<D, finite>::fluxLoop
             lanesOf(of, [&](const int l)
             {
                 const index a = ends[2*l], b = ends[2*l + 1];
-                const auto squares = squaresOf(a, b);
-                row<4> other = squares.second;
+                const squares both = squaresOf(a, b);
+                row<4> other = both.least;
                 if constexpr (corrects) other[0] = P[a*sW] - P[b*sW];
-                return joined(squares.first, other);
+                return joined(both.sums, other);
             });
             S = of[0];
             M = of[1];

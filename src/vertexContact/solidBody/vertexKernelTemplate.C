@@ -466,7 +466,7 @@ label vertexKernelTemplate<D, nSJ, R, finite>::advanceNodes
 
     // u + dt r, in the first stage instead of the old u, with which u changes
     // places afterwards; in later ones averaged with it
-    const auto update = [deltaT, weight, oldWeight]
+    const auto update = [=]
     (
         auto count,
         scalar* __restrict u,
