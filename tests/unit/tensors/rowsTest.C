@@ -11,7 +11,7 @@ Description
 
 #include "testEnvironment.H"
 #include "fullTensor.H"
-#include "rows.H"
+#include "edgeRows.H"
 
 using namespace Foam;
 
@@ -86,6 +86,50 @@ TEST_CASE("pairs of rows are stored side by side", "[rows][serial]")
     for (int k = 0; k < 8; ++k) CHECK(to[k + 1] == from[k]);
     CHECK(to[0] == 0);
     CHECK(to[9] == 0);
+}
+
+
+TEST_CASE("vectors of three in rows of four", "[rows][serial]")
+{
+    const row<4> a = {1, 2, 3, 100}, b = {-2, 5, 7, 200};
+    CHECK(dotOfThree(a, b) == 29);
+    const row<4> c = cross(a, b);
+    CHECK(c[0] == -1);
+    CHECK(c[1] == -13);
+    CHECK(c[2] == 9);
+
+    // Nothing beyond is read or written
+    scalar from[3] = {4, 5, 6};
+    const row<4> read = threeAt(from);
+    CHECK(read[3] == 0);
+    scalar to[4] = {0, 0, 0, -1};
+    storeThree(to, read);
+    for (int k = 0; k < 3; ++k) CHECK(to[k] == from[k]);
+    CHECK(to[3] == -1);
+}
+
+
+TEST_CASE("columns of tensors are stored either way", "[rows][serial]")
+{
+    row<4> columns[3];
+    for (int j = 0; j < 3; ++j)
+    {
+        for (int i = 0; i < 4; ++i) columns[j][i] = 10*i + j;
+    }
+    scalar byRows[10], byColumns[10];
+    byRows[9] = byColumns[9] = -1;
+    storeRows(byRows, columns[0], columns[1], columns[2]);
+    storeColumns(byColumns, columns[0], columns[1], columns[2]);
+    for (int i = 0; i < 3; ++i)
+    {
+        for (int j = 0; j < 3; ++j)
+        {
+            CHECK(byRows[3*i + j] == 10*i + j);
+            CHECK(byColumns[3*j + i] == 10*i + j);
+        }
+    }
+    CHECK(byRows[9] == -1);
+    CHECK(byColumns[9] == -1);
 }
 
 
