@@ -212,7 +212,7 @@ void variationalKernelTemplate<D, finite>::fluxLoop
             {
                 const row<8> ofA = rowAt<8>(sensor + index(ends[2*l])*sS);
                 const row<8> ofB = rowAt<8>(sensor + index(ends[2*l + 1])*sS);
-                return leastAt<0x80>(row<8>(ofA + ofB), ofA, ofB);
+                return leastAt<0x80, 8>(ofA + ofB, ofA, ofB);
             });
             S = of[4];
             M = of[5];
@@ -234,7 +234,7 @@ void variationalKernelTemplate<D, finite>::fluxLoop
                 {
                     difference = rowAt<4>(P + a*sW) - rowAt<4>(P + b*sW);
                 }
-                return joined(leastAt<1>(row<4>(Ub - Ua), Ua, Ub), difference);
+                return joined(leastAt<1, 4>(Ub - Ua, Ua, Ub), difference);
             });
             factor = -of[0];
             for (int i = 0; finite && i < D; ++i)

@@ -251,7 +251,7 @@ TEST_CASE("chosen scalars of rows, and rows of two", "[lanes][serial]")
     const row<4> few = picked<5, 8, 0, 5>(r);
     const row<8> all = picked<8, 0, 8, 7, 1, 2, 3, 4>(r);
     const scalar four[] = {5, 0, 0, 5}, eight[] = {0, 0, 0, 7, 1, 2, 3, 4};
-    const row<8> least = leastAt<0x81>(high, r, other);
+    const row<8> least = leastAt<0x81, 8>(high, r, other);
     const row<4> leastOfFour =
         leastAt<0x5>(lower(high), lower(other), lower(r));
     const scalar* at = reinterpret_cast<const scalar*>(&r);
