@@ -253,7 +253,7 @@ TEST_CASE("chosen scalars of rows, and rows of two", "[lanes][serial]")
     const scalar four[] = {5, 0, 0, 5}, eight[] = {0, 0, 0, 7, 1, 2, 3, 4};
     const row<8> least = leastAt<0x81, 8>(high, r, other);
     const row<4> leastOfFour =
-        leastAt<0x5>(lower(high), lower(other), lower(r));
+        leastAt<0x5, 4>(lower(high), lower(other), lower(r));
     const scalar* at = reinterpret_cast<const scalar*>(&r);
     const row<8> twice = twiceAt(at + 3);
     for (int k = 0; k < 8; ++k)
