@@ -1,6 +1,8 @@
 """Fixtures of all tests: simulations run once, and measured figures that are
 printed at the end, whether the test passes or not."""
 
+import functools
+import os
 import shutil
 
 import pytest
@@ -9,14 +11,12 @@ import searchPath     # first: it has the folders of what is imported below
 
 import caseTools
 
-_figures = []
-
-
 class Figures:
     """Measured figures of an acceptance item, each with its limit. All are
     recorded before the first that is out of bounds fails the test."""
 
-    def __init__(self, item):
+    def __init__(self, properties, item):
+        self.properties = properties    # of the test, that its report has
         self.item = item
         self.bad = []
 
@@ -29,7 +29,8 @@ class Figures:
 
     def _record(self, what, value, limit, good):
         text = value if isinstance(value, str) else f"{value:.6g}"
-        _figures.append((self.item, what, text, limit, bool(good)))
+        self.properties.append(
+            ("figure", (self.item, what, text, limit, bool(good))))
         if not good:
             self.bad.append(f"{what}: {text}, but should be {limit}")
 
@@ -52,15 +53,19 @@ class Figures:
 
 
 @pytest.fixture
-def figures():
-    return Figures
+def figures(request):
+    return functools.partial(Figures, request.node.user_properties)
 
 
 def pytest_terminal_summary(terminalreporter):
-    if not _figures:
+    figures = [
+        value for reports in terminalreporter.stats.values()
+        for report in reports if getattr(report, "when", None) == "call"
+        for name, value in report.user_properties if name == "figure"]
+    if not figures:
         return
     rows = [("item", "figure", "measured", "limit", "")]
-    rows += [(*row[:4], "" if row[4] else "FAILED") for row in _figures]
+    rows += [(*row[:4], "" if row[4] else "FAILED") for row in figures]
     widths = [max(len(row[i]) for row in rows) for i in range(5)]
     terminalreporter.section("measured figures")
     for row in rows:
@@ -68,8 +73,14 @@ def pytest_terminal_summary(terminalreporter):
             cell.ljust(width) for cell, width in zip(row, widths)).rstrip())
 
 
-@pytest.fixture(scope="session", autouse=True)
-def environment():
+def workers():
+    """Processes that share the tests (pytest -n), 1 without."""
+    return int(os.environ.get("PYTEST_XDIST_WORKER_COUNT", 1))
+
+
+def pytest_sessionstart(session):
+    if hasattr(session.config, "workerinput"):
+        return      # the process that starts the workers did
     for program in "vertexContactFoam", "blockMesh", "decomposePar":
         if shutil.which(program) is None:
             pytest.exit(f"no {program} on PATH: run etc/setup, source "
@@ -80,13 +91,31 @@ def environment():
 
 
 @pytest.fixture(scope="session")
-def run(request, tmp_path_factory):
-    """run(scene): the finished case of a caseTools.Scene. Each is run once;
-    those that the selected tests announce in their mark 'scenes' are started
-    at once, on all cores."""
-    with caseTools.Runs(tmp_path_factory.mktemp("cases")) as runs:
-        for item in request.session.items:
-            for mark in item.iter_markers("scenes"):
-                for scene in mark.args:
-                    runs.start(scene)
-        yield runs.result
+def runs(tmp_path_factory):
+    """Scenes are run once, by one of all workers."""
+    folder = tmp_path_factory.getbasetemp()
+    if workers() > 1:
+        folder = folder.parent
+    cores = len(os.sched_getaffinity(0))
+    with caseTools.Runs(folder/"scenes",
+                        max(1, cores//workers())) as runs:
+        yield runs
+
+
+@pytest.fixture(scope="session")
+def run(runs):
+    """run(scene): the finished case of a caseTools.Scene."""
+    return runs.result
+
+
+@pytest.fixture(scope="module", autouse=True)
+def scenes(request):
+    """Starts what the tests of a module announce in their mark 'scenes', on
+    all cores."""
+    wanted = [scene for item in request.session.items
+              if item.path == request.path
+              for mark in item.iter_markers("scenes") for scene in mark.args]
+    if wanted:
+        runs = request.getfixturevalue("runs")
+        for scene in wanted:
+            runs.start(scene)

@@ -1,5 +1,7 @@
 """Copy tutorials, change them, run them, and read their results."""
 
+import fcntl
+import hashlib
 import os
 import re
 import shutil
@@ -271,11 +273,13 @@ class Tutorial:
 
 
 class Runs:
-    """Runs scenes in the background, each once."""
+    """Runs scenes in the background, each once, also if several processes use
+    the same folder."""
 
-    def __init__(self, folder):
+    def __init__(self, folder, nThreads=len(os.sched_getaffinity(0))):
         self.folder = Path(folder)
-        self.pool = ThreadPoolExecutor(max(1, len(os.sched_getaffinity(0))))
+        self.folder.mkdir(exist_ok=True)
+        self.pool = ThreadPoolExecutor(nThreads)
         self.futures = {}
 
     def __enter__(self):
@@ -284,10 +288,22 @@ class Runs:
     def __exit__(self, *_):
         self.pool.shutdown(cancel_futures=True)
 
+    def _run(self, scene):
+        name = hashlib.sha1(repr(scene).encode()).hexdigest()
+        done = self.folder/f"{name}.done"
+        with (self.folder/f"{name}.lock").open("w") as lock:
+            fcntl.flock(lock, fcntl.LOCK_EX)
+            if done.exists():
+                return Case(done.read_text())
+            folder = self.folder/name
+            shutil.rmtree(folder, ignore_errors=True)   # of one that failed
+            case = scene.run(folder)
+            done.write_text(str(case.path))
+            return case
+
     def start(self, scene):
         if scene not in self.futures:
-            folder = self.folder/f"scene{len(self.futures)}"
-            self.futures[scene] = self.pool.submit(scene.run, folder)
+            self.futures[scene] = self.pool.submit(self._run, scene)
         return self.futures[scene]
 
     def result(self, scene):

@@ -16,11 +16,6 @@ namespace
 //  a prescribed motion goes on
 constexpr Foam::scalar heldMoves = 1e-6;
 
-//- From peak to peak the residual becomes at least so much smaller, or the next
-//  stop waits for longer; the most steps
-constexpr Foam::scalar improves = 0.8;
-constexpr Foam::label longestWait = 64;
-
 } // End anonymous namespace
 
 
@@ -106,8 +101,7 @@ void Foam::kineticRelaxation::setBalance
     const bool moves = held > heldMoves*largest_;
     done_ = residual_ < tolerance_ && !moves;
     wait_ =
-        residual_ > improves*before && !moves
-      ? min(2*wait_, longestWait) : max(label(1), wait_/2);
+        residual_ >= before && !moves ? 2*wait_ : max(label(1), wait_/2);
 }
 
 

@@ -116,6 +116,7 @@ const Foam::solidBoundaryCondition& Foam::solidBody::condition
 
 void Foam::solidBody::makeCorners()
 {
+    bool hasContact = false;
     const label d = dual_.nDim();
 
     for (const polyPatch& pp : mesh_.boundaryMesh())
@@ -132,7 +133,7 @@ void Foam::solidBody::makeCorners()
         }
 
         const solidBoundaryCondition& bc = condition(patchi);
-        hasContact_ = hasContact_ || bc.contact();
+        hasContact = hasContact || bc.contact();
 
         // The variational scheme needs no states of a free surface
         if (bc.tractionFree() && data_.variational)
@@ -185,14 +186,7 @@ void Foam::solidBody::makeCorners()
         }
     }
 
-    if (hasContact_)
-    {
-        const label n = dual_.nNodes();
-        contact_.status.setSize(n, Zero);
-        contact_.gap.setSize(n, GREAT);
-        contact_.force.setSize(n, vector::zero);
-        contact_.area.setSize(n, Zero);
-    }
+    if (hasContact) contact_.start();
 }
 
 
@@ -342,7 +336,8 @@ Foam::solidBody::solidBody
     acceleration_
     (
         bodyForces_.size() ? dual_.nNodes()*dual_.nDim() : label(0), Zero
-    )
+    ),
+    contact_(data_, symmetry_, held_)
 {
     // Boundary areas, too, belong to the surface of a dual cell; those of
     // mirrors lie inside the whole body
@@ -390,43 +385,22 @@ Foam::solidBody::solidBody
         makeRigid();
         variational_ = variationalKernel::New(data_);
         findSurfaceNodes();
-        if (hasContact_)
-        {
-            contactForce_.setSize(dual_.nNodes()*dual_.nDim(), Zero);
-        }
     }
     else if (data_.variational)
     {
         variational_ = variationalKernel::New(data_);
-        x_.reset
+        scheme_.reset
         (
-            new variationalData
+            new variationalScheme
             (
-                data_, options_.correction, options_.dissipation,
-                options_.frontDissipation,
-                data_.state.solvesJ
+                data_, *variational_, *material_, symmetry_, options_,
+                mirrorPatches_
             )
         );
-        for (const dualPatch& patch : dual_.patches())
-        {
-            if (!mirrorPatches_.found(patch.patchIndex))
-            {
-                x_->addPairs(patch, dual_.nDim());
-            }
-        }
-        x_->joinPairs(dual_.nDim());
-        labelHashSet late(dual_.sharing().sharedNodes());
-        late.insert(symmetry_.nodes());
-        x_->lateNodes = late.sortedToc();
         findSurfaceNodes();
         externalForce_.setSize(dual_.nNodes()*dual_.nDim(), Zero);
         work_.setSize(dual_.nNodes()*dual_.nDim(), Zero);
-        if (hasContact_)
-        {
-            contactForce_.setSize(dual_.nNodes()*dual_.nDim(), Zero);
-        }
-        boundFrequencies();
-        if (hasContact_) findCompliances();
+        if (contact_.on()) findCompliances();
     }
     else
     {
@@ -584,14 +558,10 @@ Foam::tensor Foam::solidBody::inSpace(const tensor& local) const
 Foam::symmTensor Foam::solidBody::CauchyStress(const label node) const
 {
     tensor local(material_->CauchyStress(data_.state, node));
-    if (x_.valid() && x_->smoothed && evaluated_)
+    if (scheme_.valid() && evaluated_)
     {
         // The pressure that acts
-        local +=
-            (
-                x_->jacobian[node]
-              - data_.W[node*data_.strideW + dual_.nDim()]
-            )*tensor(tensor::I);
+        local += scheme_->addedSigmaJ(node)*tensor(tensor::I);
     }
 
     // J sigma = P F^T is symmetric up to the drift of H and J
@@ -634,7 +604,7 @@ void Foam::solidBody::prepare
     if (rigid_.valid()) return;
     if (data_.variational)
     {
-        deform();
+        nBad_ = scheme_->deform();
     }
     else
     {
@@ -679,7 +649,7 @@ void Foam::solidBody::prepare
         }
     });
 
-    if (hasContact_ && !data_.variational)
+    if (contact_.on() && !data_.variational)
     {
         contact_.force = vector::zero;
         contact_.area = Zero;
@@ -714,7 +684,7 @@ void Foam::solidBody::computeFluxes(const bool energy)
     if (rigid_.valid()) return;
     if (data_.variational)
     {
-        computeForces(energy);
+        computeForces();
         return;
     }
 
@@ -794,17 +764,7 @@ Foam::scalar Foam::solidBody::timeScale(const bool anew)
     scalar shortest = GREAT;
     if (data_.variational)
     {
-        if (anew)
-        {
-            operatorTimeScale_ = boundOfStep();
-        }
-        shortest = operatorTimeScale_;
-        if (data_.finiteStrain)
-        {
-            // No edge loses more than a third of its length in a step: what is
-            // bounded here is the stiffness at its start
-            shortest = min(shortest, 1/(3*x_->closing + VSMALL));
-        }
+        shortest = scheme_->timeScale(anew);
     }
     else
     {
@@ -823,7 +783,9 @@ Foam::scalar Foam::solidBody::timeScale(const bool anew)
 
 Foam::scalar Foam::solidBody::fastestStretching() const
 {
-    return x_.valid() && !waveSumIsConstant_ ? x_->fastest : 0;
+    return
+        scheme_.valid() && !waveSumIsConstant_
+      ? scheme_->fastestStretching() : 0;
 }
 
 
@@ -935,11 +897,11 @@ void Foam::solidBody::restoreOld()
     {
         data_.state.lm = block_.valid() ? block_->lm : data_.old.lm;
         data_.state.disp = block_.valid() ? block_->disp : data_.old.disp;
-        x_->acceleration =
-            block_.valid() ? block_->acceleration : x_->oldAcceleration;
+        if (block_.valid()) scheme_->acceleration() = block_->acceleration;
+        else scheme_->restoreAcceleration();
         lastStep_ = block_.valid() ? block_->lastStep : oldStep_;
         if (block_.valid()) block_->inside = false;
-        collected_ = false;
+        scheme_->forget();
     }
     else
     {
@@ -1012,7 +974,7 @@ Foam::scalar Foam::solidBody::strainEnergy() const
 {
     if (rigid_.valid()) return 0;
     scalar sum = material_->totalStrainEnergy(data_.state, ownedVolume_);
-    if (data_.variational) sum += variational_->jumpEnergy(data_, *x_);
+    if (data_.variational) sum += scheme_->jumpEnergy();
     return sum;
 }
 

@@ -11,21 +11,6 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "solidBody.H"
-#include "stepRatios.H"
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-void Foam::solidBody::completeContact()
-{
-    const label d = dual_.nDim();
-    dual_.sharing().sum(work_.data(), d);
-    if (symmetry_.active()) symmetry_.project(work_.data(), d);
-    for (const label k : heldContacts_)
-    {
-        held_.hold(k, work_.data() + held_.nodes()[k]*d);
-    }
-}
-
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
@@ -40,23 +25,23 @@ void Foam::solidBody::keepStart()
     }
     block_->lm = data_.state.lm;
     block_->disp = data_.state.disp;
-    block_->acceleration = x_->acceleration;
+    block_->acceleration = scheme_->acceleration();
     block_->lastStep = lastStep_;
 }
 
 
 void Foam::solidBody::keepFreeRates()
 {
-    if (!hasContact_ || rigid_.valid()) return;
+    if (!contact_.on() || rigid_.valid()) return;
     if (!block_.valid()) block_.reset(new stepBlock);
     const label d = dual_.nDim();
     scalarField& rates = block_->freeRates;
     scalarField& forces = block_->freeForces;
-    rates.setSize(contactNodes_.size()*d);
-    forces.setSize(contactNodes_.size()*d);
-    forAll(contactNodes_, k)
+    rates.setSize(contact_.nodes().size()*d);
+    forces.setSize(contact_.nodes().size()*d);
+    forAll(contact_.nodes(), k)
     {
-        const label a = contactNodes_[k];
+        const label a = contact_.nodes()[k];
         for (label i = 0; i < d; ++i)
         {
             rates[k*d + i] = data_.rates[a*data_.strideRates + i];
@@ -68,11 +53,11 @@ void Foam::solidBody::keepFreeRates()
 
 void Foam::solidBody::restoreFreeRates()
 {
-    if (!hasContact_ || rigid_.valid()) return;
+    if (!contact_.on() || rigid_.valid()) return;
     const label d = dual_.nDim();
-    forAll(contactNodes_, k)
+    forAll(contact_.nodes(), k)
     {
-        const label a = contactNodes_[k];
+        const label a = contact_.nodes()[k];
         for (label i = 0; i < d; ++i)
         {
             data_.rates[a*data_.strideRates + i] = block_->freeRates[k*d + i];
@@ -82,29 +67,21 @@ void Foam::solidBody::restoreFreeRates()
 }
 
 
-void Foam::solidBody::setContactBlock(const scalar deltaT, const scalar block)
-{
-    contactStep_ = deltaT;
-    contactAhead_ = 0.5*block;
-    contactGives_ = stepRatios::gives*0.5*block/deltaT;
-}
-
-
 void Foam::solidBody::startBlock()
 {
     if (!block_.valid()) block_.reset(new stepBlock);
     stepBlock& b = *block_;
-    b.inside = hasContact_;
+    b.inside = contact_.on();
     b.elapsed = 0;
-    if (!hasContact_) return;
+    if (!contact_.on()) return;
 
     const label d = dual_.nDim();
     b.impulse.setSize(dual_.nNodes()*d);
     b.path.setSize(dual_.nNodes()*d);
-    b.startDisp.setSize(contactNodes_.size()*d);
-    forAll(contactNodes_, k)
+    b.startDisp.setSize(contact_.nodes().size()*d);
+    forAll(contact_.nodes(), k)
     {
-        const label a = contactNodes_[k];
+        const label a = contact_.nodes()[k];
         for (label i = 0; i < d; ++i)
         {
             b.startDisp[k*d + i] = data_.state.disp[a*d + i];
@@ -117,30 +94,30 @@ void Foam::solidBody::startBlock()
 
 void Foam::solidBody::placeSurface(const scalar time)
 {
-    if (!hasContact_) return;
+    if (!contact_.on()) return;
     stepBlock& b = *block_;
     const label d = dual_.nDim();
     if (b.elapsed > 0)
     {
-        for (const label a : contactNodes_)
+        for (const label a : contact_.nodes())
         {
             for (label i = 0; i < d; ++i)
             {
                 work_[a*d + i] = b.impulse[a*d + i]/b.elapsed;
             }
         }
-        completeContact();
+        contact_.complete(work_);
     }
-    forAll(contactNodes_, k)
+    forAll(contact_.nodes(), k)
     {
-        const label a = contactNodes_[k];
+        const label a = contact_.nodes()[k];
         const scalar* rate = data_.rates.cdata() + a*data_.strideRates;
         for (label i = 0; i < d; ++i)
         {
             const scalar v = data_.state.lm[a*d + i]/data_.rho;
             b.path[a*d + i] =
                 b.elapsed > 0
-              ? v + contactAhead_/data_.rho*(rate[i] + work_[a*d + i])
+              ? v + contact_.ahead()/data_.rho*(rate[i] + work_[a*d + i])
               : v;
             data_.state.disp[a*d + i] =
                 b.startDisp[k*d + i] - 0.5*lastStep_*v + time*b.path[a*d + i];
@@ -151,11 +128,11 @@ void Foam::solidBody::placeSurface(const scalar time)
 
 void Foam::solidBody::putSurfaceBack()
 {
-    if (!hasContact_) return;
+    if (!contact_.on()) return;
     const label d = dual_.nDim();
-    forAll(contactNodes_, k)
+    forAll(contact_.nodes(), k)
     {
-        const label a = contactNodes_[k];
+        const label a = contact_.nodes()[k];
         for (label i = 0; i < d; ++i)
         {
             data_.state.disp[a*d + i] = block_->startDisp[k*d + i];
@@ -169,11 +146,11 @@ void Foam::solidBody::addContactImpulse(const scalar deltaT)
 {
     block_->elapsed += deltaT;
     const label d = dual_.nDim();
-    for (const label a : contactNodes_)
+    for (const label a : contact_.nodes())
     {
         for (label i = 0; i < d; ++i)
         {
-            block_->impulse[a*d + i] += deltaT*contactForce_[a*d + i];
+            block_->impulse[a*d + i] += deltaT*contact_.forces()[a*d + i];
         }
     }
 }
@@ -183,11 +160,12 @@ void Foam::solidBody::endBlock()
 {
     putSurfaceBack();
     const label d = dual_.nDim();
-    for (const label a : contactNodes_)
+    for (const label a : contact_.nodes())
     {
         for (label i = 0; i < d; ++i)
         {
-            contactForce_[a*d + i] = block_->impulse[a*d + i]/block_->elapsed;
+            contact_.forces()[a*d + i] =
+                block_->impulse[a*d + i]/block_->elapsed;
         }
     }
     addContactForces();

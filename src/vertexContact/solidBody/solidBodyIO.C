@@ -242,12 +242,12 @@ void Foam::solidBody::readState()
             {
                 for (label i = 0; i < d; ++i)
                 {
-                    x_->acceleration[a*d + i] =
+                    scheme_->acceleration()[a*d + i] =
                         rush().primitiveField()[point[a]][dir[i]];
                 }
             }
         }
-        deform();
+        nBad_ = scheme_->deform();
     }
     else if (rigid_.valid())
     {
@@ -355,7 +355,7 @@ void Foam::solidBody::readState()
     }
     if (data_.variational) checkStart();
 
-    if (hasContact_)
+    if (contact_.on())
     {
         const auto status = readIfPresent<scalar>("contactStatus", dimless);
         if (status.valid())
@@ -464,7 +464,7 @@ void Foam::solidBody::visitFields(const Use& use) const
         "lm", dimDensity*dimVelocity,
         [&](const label a) { return expand(s.lm.cdata() + a*d); }
     );
-    if (x_.valid() && d > 1)
+    if (scheme_.valid() && d > 1)
     {
         use
         (
@@ -472,7 +472,7 @@ void Foam::solidBody::visitFields(const Use& use) const
             "acceleration", dimAcceleration,
             [&](const label a)
             {
-                return expand(x_->acceleration.cdata() + a*d);
+                return expand(scheme_->acceleration().cdata() + a*d);
             }
         );
     }
@@ -616,7 +616,7 @@ void Foam::solidBody::visitFields(const Use& use) const
 template<class Use>
 void Foam::solidBody::visitContactFields(const Use& use) const
 {
-    if (hasContact_)
+    if (contact_.on())
     {
         // Corners of other processors add to the nodes of this one
         vectorField force(contact_.force);
@@ -713,7 +713,7 @@ Foam::wordList Foam::solidBody::fieldNames() const
         names.append(name);
     };
     visitFields(one);
-    if (hasContact_)
+    if (contact_.on())
     {
         names.append({"contactStatus", "contactTraction", "contactGap"});
         if (contact_.slide.on()) names.append("contactSlide");
@@ -781,12 +781,12 @@ Foam::solidBody::nodalField Foam::solidBody::field(const word& name) const
 std::size_t Foam::solidBody::bytes() const
 {
     return
-        data_.bytes() + dual_.bytes() + (x_.valid() ? x_->bytes() : 0)
+        data_.bytes() + dual_.bytes() + (scheme_.valid() ? scheme_->bytes() : 0)
+      + contact_.bytes()
       + sizeof(scalar)
        *std::size_t
         (
-            acceleration_.size() + externalForce_.size()
-          + contactForce_.size() + contactVelocity_.size() + work_.size()
+            acceleration_.size() + externalForce_.size() + work_.size()
         );
 }
 
@@ -846,7 +846,7 @@ void Foam::solidBody::report(Ostream& os) const
         rigid_->report(os);
         os  << nl << "    gravity "
             << onOff(mag(max(gravity_)) + mag(min(gravity_)) > 0)
-            << ", contact " << onOff(hasContact_) << nl << "    "
+            << ", contact " << onOff(contact_.on()) << nl << "    "
             << label(allBytes/max(nNodes, label(1))) << " bytes per node"
             << nl;
         return;
@@ -872,7 +872,7 @@ void Foam::solidBody::report(Ostream& os) const
             << "    stored per node: momentum " << d << ", displacement " << d
             << ", F " << d*d << ", stress " << d*d + data_.nSJ
             << " components" << nl
-            << "    largest frequency " << largestFrequency_
+            << "    largest frequency " << scheme_->largestFrequency()
             << " 1/s (undeformed), dissipation " << options_.dissipation
             << " to " << options_.frontDissipation;
     }
@@ -887,7 +887,7 @@ void Foam::solidBody::report(Ostream& os) const
         os  << ' ' << force.name() << " (" << force.type() << ')';
     }
     os  << (bodyForces_.empty() ? " off" : "")
-        << ", contact " << onOff(hasContact_)
+        << ", contact " << onOff(contact_.on())
         << ", plasticity " << onOff(material_->plastic());
     if (damping_.valid()) os << ", damping on";
     if (material_->initial().on()) os << ", initial stretch on";

@@ -143,18 +143,7 @@ void Foam::solidBody::findSurfaceNodes()
     }
     held_ = heldNodes(dual_, symmetry_, motions);
 
-    dual_.sharing().max(touches.data(), 1);
-    DynamicList<label> inContact, held;
-    forAll(touches, a)
-    {
-        if (touches[a] > 0.5) inContact.append(a);
-    }
-    forAll(held_.nodes(), k)
-    {
-        if (touches[held_.nodes()[k]] > 0.5) held.append(k);
-    }
-    contactNodes_.transfer(inContact);
-    heldContacts_.transfer(held);
+    contact_.findNodes(touches);
 }
 
 
@@ -166,7 +155,7 @@ void Foam::solidBody::accountReactions()
     (
         new constraintReactions
         (
-            held_, symmetry_, contactNodes_, mesh_.boundaryMesh().size(),
+            held_, symmetry_, contact_.nodes(), mesh_.boundaryMesh().size(),
             dual_.nDim()
         )
     );

@@ -262,7 +262,7 @@ void Foam::solidBody::placeSurface()
 {
     const tensor R(rigid_->rotation());
     const rigidBody::motionState v(rigid_->motion(lastStep_));
-    for (const label a : contactNodes_)
+    for (const label a : contact_.nodes())
     {
         placeNode(a, R, rigid_->shift(), v);
     }
@@ -294,7 +294,7 @@ void Foam::solidBody::evaluateRigid(const scalar time)
         vector::zero, rigid_->presentSpin()
     };
     const rigidBody::motionState rate(rigid_->acceleration());
-    for (const label a : contactNodes_) setRates(a, v, rate);
+    for (const label a : contact_.nodes()) setRates(a, v, rate);
 }
 
 
@@ -303,11 +303,11 @@ void Foam::solidBody::sumContact()
     const label d = dual_.nDim();
     const point centre(rigid_->start() + rigid_->shift());
     rigidBody::load all;
-    for (const label a : contactNodes_)
+    for (const label a : contact_.nodes())
     {
         const vector f
         (
-            dual_.nodeVolume()[a]*expand(contactForce_.cdata() + a*d)
+            dual_.nodeVolume()[a]*expand(contact_.forces().cdata() + a*d)
         );
         all.force += f;
         all.moment += (projected(position(a)) - centre) ^ f;
@@ -325,23 +325,16 @@ void Foam::solidBody::sumContact()
 }
 
 
-void Foam::solidBody::updateRigidContactVelocity(const scalar step)
+void Foam::solidBody::updateRigidContactVelocity()
 {
     sumContact();
     const rigidBody::motionState push(rigid_->contactAcceleration());
     const point centre(rigid_->start() + rigid_->shift());
-    const label d = dual_.nDim();
-    for (const label a : contactNodes_)
+    const scalar step = contact_.gives()*contact_.step();
+    contact_.setVelocity([&](const label a)
     {
-        const vector v
-        (
-            step*(push.velocity + (push.spin ^ (position(a) - centre)))
-        );
-        for (label i = 0; i < d; ++i)
-        {
-            contactVelocity_[a*d + i] = v[dual_.directions()[i]];
-        }
-    }
+        return step*(push.velocity + (push.spin ^ (position(a) - centre)));
+    });
 }
 
 
@@ -356,7 +349,7 @@ void Foam::solidBody::leapRigid
 )
 {
     const label d = dual_.nDim();
-    for (const label a : contactNodes_)
+    for (const label a : contact_.nodes())
     {
         for (label i = 0; i < d; ++i)
         {

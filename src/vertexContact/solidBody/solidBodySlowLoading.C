@@ -115,11 +115,7 @@ void Foam::solidBody::scaleMass(const scalar factor, const scalar before)
         corners_[patchi].zp = data_.rho*data_.cp;
         corners_[patchi].zs = data_.rho*data_.cs;
     }
-    if (x_.valid())
-    {
-        x_->volumeImpedance *= std::sqrt(factor);
-        largestFrequency_ /= std::sqrt(factor);
-    }
+    if (scheme_.valid()) scheme_->scaleMass(factor);
 }
 
 
@@ -141,7 +137,10 @@ Foam::scalar Foam::solidBody::undeformedTimeScale()
         material_->waveFactors(start, data_.waveFactor);
     }
 
-    const scalar step = returnReduce(boundOfStep(), minOp<scalar>());
+    const scalar step = returnReduce
+    (
+        scheme_->boundOfStep(), minOp<scalar>()
+    );
 
     data_.state.F = F;
     data_.state.H = H;
@@ -218,7 +217,7 @@ void Foam::solidBody::stop()
         freePart(a, p);
         for (label i = 0; i < d; ++i) lm[i] -= p[i];
     }
-    collected_ = false;
+    scheme_->forget();
 }
 
 
@@ -261,11 +260,11 @@ Foam::solidBody::forceBalance Foam::solidBody::balance()
         const label d = dual_.nDim();
         scalarField& loads = work_;
         loads = externalForce_;
-        for (const label a : contactNodes_)
+        for (const label a : contact_.nodes())
         {
             for (label i = 0; i < d; ++i)
             {
-                loads[a*d + i] += contactForce_[a*d + i];
+                loads[a*d + i] += contact_.forces()[a*d + i];
             }
         }
         dual_.sharing().sum(loads.data(), d);

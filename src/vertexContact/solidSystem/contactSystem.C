@@ -55,7 +55,7 @@ void Foam::contactSystem::solve(const scalar time, const bool firstStage)
         contact.solve(time, firstStage);
     }
     // In a step of no length nothing touches
-    const bool moves = bodies_.size() && bodies_[0].contactStep() > 0;
+    const bool moves = bodies_.size() && bodies_[0].contact().step() > 0;
     for (label i = 1; moves && i < iterations_; ++i)
     {
         for (solidBody& body : bodies_) body.updateContactVelocity();
@@ -68,7 +68,7 @@ void Foam::contactSystem::solve(const scalar time, const bool firstStage)
     {
         for (solidBody& body : bodies_)
         {
-            if (body.hasContact())
+            if (body.contact().on())
             {
                 body.dual().sharing().max(body.contact().status.data(), 1);
             }

@@ -69,8 +69,8 @@ void Foam::solidSystem::evaluateForces(const scalar time, const bool moved)
         {
             for (solidBody& body : bodies_)
             {
-                body.setContactStep(deltaT);
-                body.startContact();
+                body.contact().setStep(deltaT);
+                body.contact().clearAll();
             }
             contacts_.solve(time, true);
         });

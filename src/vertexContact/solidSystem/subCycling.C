@@ -116,14 +116,14 @@ void Foam::solidSystem::solveInBlocks
             // Blocks are multiples
             if (blocks[i] > 1.5*deltaT)
             {
-                bodies_[i].setContactBlock(deltaT, blocks[i]);
+                bodies_[i].contact().setBlock(deltaT, blocks[i]);
                 bodies_[i].placeSurface(afters[i]);
             }
             else
             {
-                bodies_[i].setContactStep(deltaT);
+                bodies_[i].contact().setStep(deltaT);
             }
-            bodies_[i].startContact();
+            bodies_[i].contact().clearAll();
         }
         contacts_.solve(time, true);
     });

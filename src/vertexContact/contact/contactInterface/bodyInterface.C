@@ -210,7 +210,7 @@ void Foam::bodyInterface::findStates
     {
         const label k = corners[i], node = patch.cornerNode[k];
         const point x(body.expand(X + node*d) + body.expand(disp + node*d));
-        const vector v(body.velocityWithoutContact(node));
+        const vector v(body.contact().velocityWithout(node));
         const vector area
         (
             body.currentArea(node, patch.cornerNormal.cdata() + k*d)
@@ -253,7 +253,7 @@ void Foam::bodyInterface::findVelocities
     const solidBody& body = *side.body;
     setCorners(side, corners, velocities, [&](const label node, auto& m)
     {
-        const vector v(body.velocityWithContact(node));
+        const vector v(body.contact().velocityWith(node));
         for (direction c = 0; c < 3; ++c) m[c] = v[c];
     });
 }
@@ -301,12 +301,12 @@ void Foam::bodyInterface::findNear()
     const solidBody& body = *minus_.body;
     const cornerStates& M = body.corners(minus_.patchi);
     const cornerStates& P = plus_.body->corners(plus_.patchi);
-    const scalar deltaT = body.contactStep();
+    const scalar deltaT = body.contact().step();
     const bool bonded = law().bonded();
     const bool sticks = law().sticks();
     const scalar impedance = contactLayer::joint(M.zp, P.zp);
-    const scalar minusGives = body.contactGives();
-    const scalar plusGives = plus_.body->contactGives();
+    const scalar minusGives = body.contact().gives();
+    const scalar plusGives = plus_.body->contact().gives();
     const bool alike = minusGives == plusGives;
 
     // Tell both corners of an overlap the gap
@@ -605,7 +605,7 @@ void Foam::bodyInterface::tell
 )
 {
     solidBody& body = *side.body;
-    solidBody::contactOutput& out = body.contact();
+    bodyContact& out = body.contact();
     const labelList& cornerNode = body.corners(side.patchi).geometry.cornerNode;
     forAll(corners, i)
     {
@@ -622,7 +622,7 @@ void Foam::bodyInterface::tell
             }
         }
         const scalar* f = a.cdata() + answerForce;
-        body.addContactForce(node, vector(f[0], f[1], f[2]));
+        out.add(node, vector(f[0], f[1], f[2]));
     }
 }
 

@@ -270,7 +270,7 @@ void Foam::contactInterface::setState
 )
 {
     cornerStates& c = side.body->corners(side.patchi);
-    solidBody::contactOutput& out = side.body->contact();
+    bodyContact& out = side.body->contact();
     const label node = c.geometry.cornerNode[corner];
 
     out.gap[node] = min(out.gap[node], answer[7]);

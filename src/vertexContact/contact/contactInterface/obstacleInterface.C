@@ -62,7 +62,7 @@ void Foam::obstacleInterface::solveForces(const bool firstStage)
     const cornerStates& M = body.corners(side_.patchi);
     const scalarField& depth = body.depth(side_.patchi);
     const septernion& pose = motion_.pose();
-    const scalar deltaT = body.contactStep();
+    const scalar deltaT = body.contact().step();
     const bool sticks = law().sticks();
 
     forAll(planes_, i)
@@ -81,7 +81,7 @@ void Foam::obstacleInterface::solveForces(const bool firstStage)
         );
         const scalar stretch = mag(area);
 
-        p.minus.v = body.velocityWithoutContact(node);
+        p.minus.v = body.contact().velocityWithout(node);
         p.minus.zp = M.zp;
         p.minus.zs = M.zs;
         p.plus.v = motion_.velocity(X);
@@ -98,7 +98,7 @@ void Foam::obstacleInterface::solveForces(const bool firstStage)
             sticks
           ? acousticRiemann::tangential(body.slide(node), p.n)
           : vector::zero,
-            deltaT, body.contactGives()
+            deltaT, body.contact().gives()
         );
         countClosing(p, depth[k]);
         if (closed_[i] && p.gap < -depth[k])
@@ -132,7 +132,7 @@ void Foam::obstacleInterface::tellForces(const bool firstStage)
         );
         if (p.result.state != acousticRiemann::status::open)
         {
-            body.addContactForce(patch.cornerNode[k], p.area*p.result.t);
+            body.contact().add(patch.cornerNode[k], p.area*p.result.t);
         }
     }
 }

@@ -1,0 +1,410 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+-------------------------------------------------------------------------------
+Description
+    The leapfrog of a body: what acts on its surface, what is held, works, and
+    how it moves with the forces of all.
+
+\*---------------------------------------------------------------------------*/
+
+#include "solidBody.H"
+#include "solidBoundaryCondition.H"
+#include "prescribedMotion.H"
+#include "passTimes.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::solidBody::findCompliances()
+{
+    // Area vector of all surfaces of contact at each node
+    const label d = dual_.nDim();
+    scalarField area(dual_.nNodes()*d, Zero);
+    const auto forCorners = [&](const auto& f)
+    {
+        for (const dualPatch& patch : dual_.patches())
+        {
+            const label patchi = patch.patchIndex;
+            if (!corners_.set(patchi) || !condition(patchi).contact()) continue;
+            forAll(patch.cornerNode, k)
+            {
+                f
+                (
+                    patch, k, area.data() + patch.cornerNode[k]*d,
+                    patch.cornerNormal.cdata() + k*d
+                );
+            }
+        }
+    };
+    forCorners([&]
+    (
+        const dualPatch& patch, const label k, scalar* A, const scalar* n
+    )
+    {
+        for (label i = 0; i < d; ++i) A[i] += patch.cornerArea[k]*n[i];
+    });
+    dual_.sharing().sum(area.data(), d);
+
+    surfaceCompliance_.setSize(corners_.size());
+    forCorners([&]
+    (
+        const dualPatch& patch, const label k, scalar* A, const scalar* n
+    )
+    {
+        scalar along = 0;
+        for (label i = 0; i < d; ++i) along += A[i]*n[i];
+        scalarField& perVolume = surfaceCompliance_[patch.patchIndex];
+        perVolume.setSize(patch.nCorners());
+        perVolume[k] =
+            max(along, patch.cornerArea[k])
+           /dual_.nodeVolume()[patch.cornerNode[k]];
+    });
+}
+
+
+void Foam::solidBody::computeForces()
+{
+    scheme_->computeForces();
+
+    const label d = dual_.nDim();
+    externalForce_ = Zero;
+    bool loaded = false;
+    for (const dualPatch& patch : dual_.patches())
+    {
+        const label patchi = patch.patchIndex;
+        if
+        (
+            patch.nFaces() && corners_.set(patchi)
+         && !condition(patchi).motion()
+         && !condition(patchi).contact()
+        )
+        {
+            variational_->addTractions
+            (
+                data_, patch, corners_[patchi], externalForce_
+            );
+            loaded = true;
+        }
+    }
+    for (label a = 0; loaded && a < dual_.nNodes(); ++a)
+    {
+        scalar* rate = data_.rates.data() + a*data_.strideRates;
+        for (label i = 0; i < d; ++i) rate[i] += externalForce_[a*d + i];
+    }
+    passTimes::timed(passTimes::processors, [&]
+    {
+        dual_.sharing().sum(data_.rates.data(), data_.strideRates);
+    });
+}
+
+
+void Foam::solidBody::holdDissipation()
+{
+    // What contact or a boundary holds is not moved by the dissipation
+    const label d = dual_.nDim();
+    scalar* damping = data_.rates.data() + variationalLayout::second(d);
+    const label stride = data_.strideRates;
+    if (symmetry_.active()) symmetry_.project(damping, stride);
+    forAll(held_.nodes(), k)
+    {
+        held_.hold(k, damping + held_.nodes()[k]*stride);
+    }
+    for (const label a : contact_.nodes())
+    {
+        if (contact_.status[a] < 0.5) continue;
+        for (label i = 0; i < d; ++i) damping[a*stride + i] = 0;
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::solidBody::updateContactVelocity()
+{
+    if (!contact_.on()) return;
+    if (rigid_.valid()) updateRigidContactVelocity();
+    else contact_.updateVelocity(work_);
+}
+
+
+void Foam::solidBody::addContactForces()
+{
+    if (!contact_.on()) return;
+    if (rigid_.valid())
+    {
+        sumContact();
+        return;
+    }
+    const label d = dual_.nDim();
+    contact_.sum(work_);
+    if (reactions_.valid()) reactions_->takeContact(work_, d);
+    contact_.hold
+    (
+        work_, [&](const label a, const label i, const scalar f)
+        {
+            if (dual_.sharing().owned()[a]) externalForce_[a*d + i] -= f;
+        }
+    );
+    for (const label a : contact_.nodes())
+    {
+        scalar* rate = data_.rates.data() + a*data_.strideRates;
+        for (label i = 0; i < d; ++i) rate[i] += work_[a*d + i];
+    }
+}
+
+
+void Foam::solidBody::rememberSlide()
+{
+    if (contact_.slide.on()) return;
+    contact_.slide.start(dual_.nNodes());
+    const auto slide = readIfPresent<vector>("contactSlide", dimLength);
+    if (slide.valid())
+    {
+        forAll(contact_.slide.ways(), a)
+        {
+            contact_.slide.ways()[a] =
+                slide().primitiveField()[dual_.nodePoint()[a]];
+        }
+    }
+}
+
+
+void Foam::solidBody::finishSlide()
+{
+    contact_.slide.finish
+    (
+        dual_.sharing(), contact_.nodes(),
+        [this](const label a) { return deformationGradient(a); }
+    );
+}
+
+
+Foam::vector Foam::solidBody::stepVelocity(const label node) const
+{
+    const label d = dual_.nDim();
+    if (block_.valid() && block_->inside)
+    {
+        return expand(block_->path.cdata() + d*node);
+    }
+    return expand(data_.state.lm.cdata() + d*node)/data_.rho;
+}
+
+
+Foam::vector Foam::solidBody::meanStepVelocity(const label node) const
+{
+    const label d = dual_.nDim();
+    if (block_.valid() && block_->inside) return stepVelocity(node);
+    return
+        0.5
+       *(stepVelocity(node) + expand(data_.old.lm.cdata() + d*node)/data_.rho);
+}
+
+
+void Foam::solidBody::react()
+{
+    const label d = dual_.nDim();
+    forAll(held_.nodes(), k)
+    {
+        const label a = held_.nodes()[k];
+        const bool owned = dual_.sharing().owned()[a];
+        held_.hold
+        (
+            k, data_.rates.data() + a*data_.strideRates,
+            [&](const label i, const scalar f)
+            {
+                if (owned) externalForce_[a*d + i] -= f;
+            }
+        );
+    }
+}
+
+
+Foam::scalar Foam::solidBody::imposedWork(const scalarField& velocity) const
+{
+    const label d = dual_.nDim();
+    const scalar* v = velocity.cdata();
+    const scalar* lm = data_.state.lm.cdata();
+    const scalar* old = data_.old.lm.cdata();
+    scalar work = 0;
+    forAll(held_.nodes(), k)
+    {
+        const label a = held_.nodes()[k];
+        if (!dual_.sharing().owned()[a]) continue;
+        scalar change[3];
+        for (label i = 0; i < d; ++i) change[i] = lm[a*d + i] - old[a*d + i];
+        held_.hold
+        (
+            k, change, [&](const label i, const scalar given)
+            {
+                work += dual_.nodeVolume()[a]*v[a*d + i]*given;
+            }
+        );
+    }
+    return work;
+}
+
+
+Foam::solidBody::powers Foam::solidBody::powersOf
+(
+    const scalarField& velocity
+) const
+{
+    powers p;
+    withDirections(dual_.nDim(), [&](auto D)
+    {
+        constexpr int d = D.value;
+        constexpr int atDamping = variationalLayout::second(d);
+        const scalar* v = velocity.cdata();
+        const scalar* external = externalForce_.cdata();
+        for (label a = 0; a < dual_.nNodes(); ++a)
+        {
+            const scalar V = dual_.nodeVolume()[a];
+            const scalar* rate = data_.rates.cdata() + a*data_.strideRates;
+            scalar ofExternal = 0, damped = 0;
+            for (int i = 0; i < d; ++i)
+            {
+                const label k = a*d + i;
+                ofExternal += external[k]*v[k];
+                damped += rate[atDamping + i]*v[k];
+            }
+            p.external += V*ofExternal;
+            p.numericalDissipation -= ownedVolume_[a]*damped;
+        }
+    });
+    p.contact = contact_.power(velocity);
+    return p;
+}
+
+
+Foam::solidBody::powers Foam::solidBody::presentPowers() const
+{
+    if (!evaluated_) return powers();
+    if (rigid_.valid())
+    {
+        const rigidBody::works now(rigid_->presentPowers(lastStep_));
+        powers p;
+        p.external = now.external;
+        p.contact = now.contact;
+        return p;
+    }
+    const label d = dual_.nDim();
+    scalarField v(dual_.nNodes()*d);
+    for (label a = 0; a < dual_.nNodes(); ++a)
+    {
+        for (label i = 0; i < d; ++i) v[a*d + i] = velocity(a, i);
+    }
+    powers p(powersOf(v));
+    if (damping_.valid())
+    {
+        // Since the time of the momentum, so that free motions balance exactly
+        forAll(v, k) v[k] = 0.5*(v[k] + data_.state.lm[k]/data_.rho);
+        p.damping = dampingPower(v, damping_->ofMean(0.5*lastStep_));
+    }
+    return p;
+}
+
+
+void Foam::solidBody::keepOld()
+{
+    if (rigid_.valid())
+    {
+        rigid_->keepOld();
+        oldStep_ = lastStep_;
+        return;
+    }
+    data_.old.lm = data_.state.lm;
+    data_.old.disp = data_.state.disp;
+    scheme_->keepAcceleration();
+    oldStep_ = lastStep_;
+}
+
+
+void Foam::solidBody::leap
+(
+    const scalar time,
+    const scalar deltaT,
+    const bool energy,
+    powers& accounts
+)
+{
+    leap
+    (
+        time, deltaT, 0.5*(lastStep_ + deltaT), deltaT, energy, accounts
+    );
+}
+
+
+void Foam::solidBody::leap
+(
+    const scalar time,
+    const scalar deltaT,
+    const scalar kick,
+    const scalar step,
+    const bool energy,
+    powers& accounts
+)
+{
+    if (rigid_.valid())
+    {
+        leapRigid(time, deltaT, kick, step, energy, accounts);
+        return;
+    }
+    const label d = dual_.nDim();
+    scalar* lm = data_.state.lm.data();
+    const scalar perRho = 1/data_.rho;
+
+    if (damping_.valid())
+    {
+        kickDamped(kick);
+    }
+    else withDirections(d, [&](auto D)
+    {
+        scalar* old = data_.old.lm.data();
+        for (label a = 0; a < dual_.nNodes(); ++a)
+        {
+            const scalar* rate = data_.rates.cdata() + a*data_.strideRates;
+            for (int i = 0; i < D.value; ++i)
+            {
+                const label k = a*D.value + i;
+                old[k] = lm[k];
+                lm[k] += kick*rate[i];
+            }
+        }
+    });
+    held_.impose
+    (
+        data_.state.lm.data(), data_.state.disp.cdata(), data_.rho, time,
+        deltaT
+    );
+    if (symmetry_.active()) symmetry_.project(lm, d);
+
+    if (energy)
+    {
+        // With the mean of both velocities the works of all forces are the
+        // growth of the kinetic energy, exactly
+        scalarField& v = work_;
+        forAll(v, k) v[k] = 0.5*perRho*(data_.old.lm[k] + lm[k]);
+        const powers p(powersOf(v));
+        accounts.numericalDissipation += kick*p.numericalDissipation;
+        accounts.external += kick*p.external;
+        accounts.contact += kick*p.contact;
+        accounts.external += imposedWork(v);
+        if (damping_.valid())
+        {
+            accounts.damping +=
+                kick*dampingPower(v, damping_->ofMean(kick));
+        }
+    }
+    if (reactions_.valid()) reactions_->add(data_, kick);
+
+    if (d > 1) holdDissipation();
+    scheme_->move(deltaT, kick);
+    oldStep_ = lastStep_;
+    data_.state.sinceCommit = deltaT;
+    lastStep_ = step;
+    evaluated_ = false;
+}
+
+
+// ************************************************************************* //

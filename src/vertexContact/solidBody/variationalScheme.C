@@ -1,0 +1,351 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "variationalScheme.H"
+#include "passTimes.H"
+#include "stepLimit.H"
+#include <cmath>
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::variationalScheme::completeTensors
+(
+    scalar* data,
+    const label stride,
+    const label columnStride,
+    const label offset
+) const
+{
+    if (symmetry_.active())
+    {
+        const label d = dual_.nDim();
+        labelList place(d*d);
+        for (label i = 0; i < d; ++i)
+        {
+            for (label j = 0; j < d; ++j)
+            {
+                place[i*d + j] = offset + j*columnStride + i;
+            }
+        }
+        symmetry_.symmetrise(data, stride, place, 2);
+    }
+}
+
+
+void Foam::variationalScheme::boundFrequencies()
+{
+    const label d = dual_.nDim();
+    const label n = dual_.nNodes();
+
+    scalarField sums(n*(d + 1));
+    kernel_.boundColumns(data_, x_, sums);
+    dual_.sharing().sum(sums.data(), d + 1);
+    kernel_.boundRows(data_, x_, sums, x_.geometricBound);
+    dual_.sharing().sum(x_.geometricBound.data(), d*(d + 1)/2);
+    scalar largest = 0;
+    for (label a = 0; a < n; ++a)
+    {
+        const scalar* K = x_.geometricBound.cdata() + a*d*(d + 1)/2;
+        scalar trace = 0;
+        for (label i = 0, k = 0; i < d; k += d - i, ++i) trace += K[k];
+        largest = max(largest, trace);
+    }
+    reduce(largest, maxOp<scalar>());
+
+    for (label e = 0; e < 2*dual_.nEdges(); ++e)
+    {
+        x_.perEdges[dual_.edgeNodes()[e]] += 1;
+    }
+    dual_.sharing().sum(x_.perEdges.data(), 1);
+    for (scalar& n : x_.perEdges) n = 1/n;
+
+    if (x_.smoothed)
+    {
+        x_.volumeImpedance = std::sqrt(data_.rho*material_.kappa());
+        findFilter();
+    }
+
+    findJumpStiffness();
+
+    // What the operator has, in two digits: not the last bits, which depend on
+    // the number of processors
+    const stepLimit limit(data_, x_, symmetry_);
+    const scalar ratio = limit.squaredFrequency()/(sqr(data_.cp)*largest);
+    x_.boundRatio = std::ceil(1e2*ratio)/1e2;
+    largestFrequency_ = data_.cp*std::sqrt(x_.boundRatio*largest);
+
+    // The state is undeformed yet
+    const scalar bound = returnReduce(boundOfStep(), minOp<scalar>());
+    x_.stepRatio = std::floor(1e2*limit.step()/bound)/1e2;
+}
+
+
+void Foam::variationalScheme::findJumpStiffness()
+{
+    const label d = dual_.nDim();
+    // In uniaxial strain nothing shears
+    const scalar modulus = d > 1 ? jumpShare*material_.jumpModulus() : 0;
+    for (label e = 0; e < dual_.nEdges(); ++e)
+    {
+        const label a = dual_.edgeNodes()[2*e], b = dual_.edgeNodes()[2*e + 1];
+        scalar CC = 0, rr = 0;
+        for (label j = 0; j < d; ++j)
+        {
+            CC += sqr(data_.edgeArea()[e*d + j]);
+            rr += sqr
+            (
+                dual_.nodePosition()[b*d + j] - dual_.nodePosition()[a*d + j]
+            );
+        }
+        x_.jumpStiffness[e] = modulus*std::sqrt(CC/rr);
+    }
+}
+
+
+void Foam::variationalScheme::smoothJacobian()
+{
+    const auto removed = [&]
+    {
+        // w (1 - M)
+        kernel_.smooth(x_, data_);
+        dual_.sharing().sum(x_.average.data(), 1);
+        for (scalar& r : x_.average) r *= -x_.filter;
+    };
+    removed();
+    x_.unsmoothed = x_.jacobian;
+    x_.jacobian = x_.average;
+    removed();
+    forAll(x_.jacobian, a) x_.jacobian[a] = x_.unsmoothed[a] - x_.average[a];
+}
+
+
+void Foam::variationalScheme::findFilter()
+{
+    // Power method for the largest eigenvalue of 1 - M, of which the start has
+    // all directions; rounded up to two digits
+    forAll(x_.jacobian, a)
+    {
+        scalar phase = 0;
+        for (label j = 0; j < dual_.nDim(); ++j)
+        {
+            phase +=
+                (j + 1)*17.3*dual_.nodePosition()[a*dual_.nDim() + j]
+               /std::pow(dual_.nodeVolume()[a], 1.0/dual_.nDim());
+        }
+        x_.jacobian[a] = std::sin(phase);
+    }
+    scalar largest = 0;
+    for (label pass = 0; pass < 40; ++pass)
+    {
+        kernel_.smooth(x_, data_);
+        dual_.sharing().sum(x_.average.data(), 1);
+        scalar before = 0, after = 0;
+        forAll(x_.average, a)
+        {
+            if (dual_.sharing().owned()[a])
+            {
+                before += dual_.nodeVolume()[a]*sqr(x_.jacobian[a]);
+                after += dual_.nodeVolume()[a]*sqr(x_.average[a]);
+            }
+        }
+        reduce(before, sumOp<scalar>());
+        reduce(after, sumOp<scalar>());
+        largest = std::sqrt(after/before);
+        forAll(x_.average, a) x_.jacobian[a] = -x_.average[a]/largest;
+    }
+    x_.filter = 1/(std::ceil(1e2*largest)/1e2);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::variationalScheme::variationalScheme
+(
+    vertexData& data,
+    const variationalKernel& kernel,
+    const materialModel& material,
+    const symmetryConstraint& symmetry,
+    const schemeOptions& options,
+    const labelList& mirrorPatches
+)
+:
+    data_(data),
+    dual_(data.dual),
+    kernel_(kernel),
+    material_(material),
+    symmetry_(symmetry),
+    x_
+    (
+        data, options.correction, options.dissipation,
+        options.frontDissipation, data.state.solvesJ
+    )
+{
+    for (const dualPatch& patch : dual_.patches())
+    {
+        if (!mirrorPatches.found(patch.patchIndex))
+        {
+            x_.addPairs(patch, dual_.nDim());
+        }
+    }
+    x_.joinPairs(dual_.nDim());
+    labelHashSet late(dual_.sharing().sharedNodes());
+    late.insert(symmetry_.nodes());
+    x_.lateNodes = late.sortedToc();
+    boundFrequencies();
+}
+
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::label Foam::variationalScheme::deform()
+{
+    const label d = dual_.nDim();
+    const label sA = variationalLayout::strideColumn(d);
+    const label sC = variationalLayout::strideC(d, x_.beta > 0);
+    const label sS = variationalLayout::strideSensor(d);
+
+    typedef passTimes times;
+    label nBad = times::timed(times::velocities, [&]
+    {
+        return
+            collected_ ? nBadCollected_ : kernel_.collect(data_, x_);
+    });
+    collected_ = false;
+    nBad += times::timed(times::gradients, [&]
+    {
+        return kernel_.gradients(x_, data_);
+    });
+    times::timed(times::processors, [&]
+    {
+        dual_.sharing().sum(x_.grad.data(), d*sA);
+    });
+    nBad += times::timed(times::inverses, [&]
+    {
+        completeTensors(x_.grad.data(), d*sA, sA, 0);
+        completeTensors(x_.grad.data(), d*sA, sA, variationalLayout::second(d));
+        return kernel_.deform(x_, data_);
+    });
+
+    nBad += times::timed(times::corrections, [&]
+    {
+        return kernel_.correct(data_, x_);
+    });
+    times::timed(times::processors, [&]
+    {
+        if (sC)
+        {
+            dual_.sharing().sum
+            (
+                {{x_.correction.data(), d*sC}, {x_.sensor.data(), sS}}
+            );
+        }
+        else
+        {
+            dual_.sharing().sum(x_.sensor.data(), sS);
+        }
+    });
+    nBad += times::timed(times::kinematics, [&]
+    {
+        if (x_.beta > 0) completeTensors(x_.correction.data(), d*sC, sC, 0);
+        if (d > 1)
+        {
+            completeTensors
+            (
+                x_.correction.data(), d*sC, sC,
+                variationalLayout::atJump(d, x_.beta > 0)
+            );
+        }
+        return kernel_.kinematics(data_, x_);
+    });
+
+    if (x_.smoothed)
+    {
+        times::timed(times::volume, [&]
+        {
+            smoothJacobian();
+            data_.state.J = x_.jacobian;
+        });
+    }
+    return nBad;
+}
+
+
+void Foam::variationalScheme::computeForces()
+{
+    const label d = dual_.nDim();
+    const label sA = variationalLayout::strideColumn(d);
+
+    typedef passTimes times;
+    if (x_.smoothed)
+    {
+        // SigmaJ where it acts, S SigmaJ, in place of that of the smoothed J
+        times::timed(times::volume, [&]
+        {
+            forAll(x_.jacobian, a)
+            {
+                x_.jacobian[a] = data_.W[a*data_.strideW + d];
+            }
+            smoothJacobian();
+            kernel_.addPressure(data_, x_);
+        });
+    }
+
+    times::timed(times::fluxes, [&] { kernel_.fluxes(data_, x_); });
+    times::timed(times::processors, [&]
+    {
+        dual_.sharing().sum(x_.adjoint.data(), d*sA);
+    });
+    times::timed(times::adjoint, [&]
+    {
+        completeTensors(x_.adjoint.data(), d*sA, sA, 0);
+        completeTensors
+        (
+            x_.adjoint.data(), d*sA, sA, variationalLayout::second(d)
+        );
+        kernel_.stresses(x_, data_);
+    });
+    times::timed(times::forces, [&] { kernel_.forces(data_, x_); });
+}
+
+
+Foam::scalar Foam::variationalScheme::boundOfStep()
+{
+    kernel_.sumWaves(data_, x_);
+    dual_.sharing().sum
+    (
+        x_.waves.data(), variationalLayout::strideWaves(dual_.nDim())
+    );
+    return kernel_.timeScale(data_, x_);
+}
+
+
+Foam::scalar Foam::variationalScheme::timeScale(const bool anew)
+{
+    if (anew) bound_ = boundOfStep();
+    if (!data_.finiteStrain) return bound_;
+
+    // No edge loses more than a third of its length in a step: what is bounded
+    // here is the stiffness at its start
+    return min(bound_, 1/(3*x_.closing + VSMALL));
+}
+
+
+void Foam::variationalScheme::move(const scalar deltaT, const scalar half)
+{
+    nBadCollected_ = kernel_.move(data_, x_, deltaT, half);
+    collected_ = true;
+}
+
+
+void Foam::variationalScheme::scaleMass(const scalar factor)
+{
+    x_.volumeImpedance *= std::sqrt(factor);
+    largestFrequency_ /= std::sqrt(factor);
+}
+
+
+// ************************************************************************* //
