@@ -10,6 +10,7 @@ import pytest
 import searchPath     # first: it has the folders of what is imported below
 
 import caseTools
+import slowTests
 
 class Figures:
     """Measured figures of an acceptance item, each with its limit. All are
@@ -71,6 +72,15 @@ def pytest_terminal_summary(terminalreporter):
     for row in rows:
         terminalreporter.write_line("  ".join(
             cell.ljust(width) for cell, width in zip(row, widths)).rstrip())
+
+
+@pytest.hookimpl(tryfirst=True)     # before -m chooses
+def pytest_collection_modifyitems(items):
+    slow = slowTests.names()
+    for item in items:
+        file = item.path.relative_to(caseTools.root/"tests")
+        if f"{file}::{item.originalname}" in slow:
+            item.add_marker("slow")
 
 
 def workers():

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+import slowTests
 from caseTools import execute, root
 
 SOURCE = root/"src"/"vertexContact"
@@ -257,3 +258,10 @@ def test_one_search_path():
                  and not PATH.match(line)) == []
     assert where(tests, lambda line: edit.match(line) or re.match(
         r"\s*(from|import) test_", line)) == []
+
+
+def test_slow_tests_are_there():
+    """What tests/Alltest -quick leaves out, by tests/tools/slowTests.txt."""
+    for name in sorted(slowTests.names()):
+        file, function = name.split("::")
+        assert f"def {function}(" in (root/"tests"/file).read_text(), name

@@ -46,7 +46,6 @@ def test_velocities_of_a_chain_of_spheres(run, figures):
                 0.07, 0.008, 0.015, 0.025)
 
 
-@pytest.mark.slow
 @pytest.mark.scenes(*CRADLE.values())
 def test_velocities_on_a_finer_mesh(run, figures):
     case = run(CRADLE["I"])

@@ -105,7 +105,6 @@ def test_spheres_as_plane(run, figures):
         checkSpheres(f, run(COARSE_PLANE), run(COARSE_SPHERES))
 
 
-@pytest.mark.slow
 @scenes(PLANE, SPHERES, COARSE_PLANE)
 def test_force_and_duration_on_mesh_I(run, figures):
     with figures("Hertz, Mesh I") as f:
@@ -116,7 +115,6 @@ def test_force_and_duration_on_mesh_I(run, figures):
                   [1 - rebound(run(scene)) for scene in (COARSE_PLANE, PLANE)])
 
 
-@pytest.mark.slow
 @scenes(PLANE)
 def test_traction_along_the_radius(run, figures):
     """Near the largest force, along the radius."""

@@ -262,6 +262,21 @@ def test_nothing_happens_between_what_passes(tmp_path, figures, ranks):
             for b in bodies), 1e-12)
 
 
+def test_corners_of_other_faces_do_not_match(tmp_path, figures):
+    """Of a face over four smaller ones, with corners in the same places: pairs
+    of these would pull a face towards half of itself."""
+    low = Body(cells=(1, 1), name="low", sides={"top": "contact"})
+    high = Body(cells=(4, 3), name="high", start=(0.1, 1, 0),
+                size=(0.8, 0.5, 1), velocity=(0, -0.1, 0),
+                sides={"bottom": "contact"})
+    code, output = SmallCase(
+        tmp_path, [low, high], 0.1, interfaces=between(pairing="matching"),
+        preset=DEFAULT).attempt()
+    with figures("faces of 1 and of 1/5, pairing matching") as f:
+        f.equal("exit code", code, 1)
+        f.equal("says why", "needs the same mesh on both sides" in output, True)
+
+
 def test_several_interfaces_on_a_patch(tmp_path, figures):
     """Two small blocks fall on one side of a large one, symmetrically."""
     base = Body(cells=(24, 6), name="base", size=(3, 1, 1),

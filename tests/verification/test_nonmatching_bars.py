@@ -89,7 +89,6 @@ def test_peak_force(run, figures):
                  impulse(run(PEAK_NEAREST))/impulse(run(PEAK)), 1, 0.01)
 
 
-@pytest.mark.slow
 @scenes(FULL, FULL_COARSE)
 def test_agrees_with_conforming_meshes(run, figures):
     """Mesh I, against conforming meshes of 10 elements over the width."""

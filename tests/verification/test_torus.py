@@ -53,7 +53,6 @@ def test_first_contact_and_momentum(run, figures):
                   case.totalEnergy[-1]/case.totalEnergy[0], 0.8)
 
 
-@pytest.mark.slow
 @scenes(FULL, MEDIUM, COARSE)
 def test_stays_on_the_wall(run, figures):
     """Mesh II with the default scheme, until 50 ms, when it is nearly folded,

@@ -294,7 +294,6 @@ def test_rings_keep_their_energy(run, figures):
         f.atMost("largest rise of the energy / initial", rise(E), 2e-3)
 
 
-@pytest.mark.slow
 @scenes(RINGS_II)
 def test_finer_rings_keep_more(run, figures):
     """The same on Mesh II."""

@@ -51,6 +51,7 @@ void Foam::contactPairings::matching::identify
 (
     const contactSide& side,
     const labelList& corners,
+    const vector& direction,
     vectorField& place,
     scalarField& size
 )
@@ -64,10 +65,11 @@ void Foam::contactPairings::matching::identify
 
     const auto X = [&](const label k)
     {
-        return side.body->expand
+        const vector x
         (
-            dual.nodePosition().cdata() + patch.cornerNode[k]*d
+            dual.expand(dual.nodePosition().cdata() + patch.cornerNode[k]*d)
         );
+        return vector(x - (x & direction)*direction);
     };
 
     for (label f = 0; f < patch.nFaces(); ++f)
@@ -110,10 +112,8 @@ Foam::contactPairings::matching::matching
     scalarField sizeMinus, sizePlus;
     labelList cornersMinus(facing(minus, direction));
     labelList cornersPlus(facing(plus, -direction));
-    identify(minus, cornersMinus, placeMinus, sizeMinus);
-    identify(plus, cornersPlus, placePlus, sizePlus);
-    for (vector& p : placeMinus) p -= (p & direction)*direction;
-    for (vector& p : placePlus) p -= (p & direction)*direction;
+    identify(minus, cornersMinus, direction, placeMinus, sizeMinus);
+    identify(plus, cornersPlus, direction, placePlus, sizePlus);
 
     labelList globalPlus(cornersPlus);
     for (label& k : globalPlus)
@@ -122,6 +122,7 @@ Foam::contactPairings::matching::matching
     }
     const labelList allGlobal(gathered(globalPlus));
     const pointField allPlus(gathered(placePlus));
+    const scalarField allSizes(gathered(sizePlus));
 
     DynamicList<label> corners, partners;
     if (allPlus.size() && placeMinus.size())
@@ -129,12 +130,21 @@ Foam::contactPairings::matching::matching
         const autoPtr<pointTree> tree(newPointTree(allPlus, max(sizeMinus)));
         forAll(placeMinus, k)
         {
-            // Coincidence: within a percent of the size of the face
+            // Coincidence: within a percent of the size of the face, which
+            // is that of the other one, too. In 1D faces have none
+            const scalar within = 1e-2*sizeMinus[k];
             const pointIndexHit hit
             (
-                tree->findNearest(placeMinus[k], sqr(1e-2*sizeMinus[k]))
+                tree->findNearest(placeMinus[k], sqr(within))
             );
-            if (hit.hit())
+            if
+            (
+                hit.hit()
+             && (
+                    minus.body->dual().nDim() == 1
+                 || mag(allSizes[hit.index()] - sizeMinus[k]) <= within
+                )
+            )
             {
                 corners.append(cornersMinus[k]);
                 partners.append(allGlobal[hit.index()]);
