@@ -11,7 +11,7 @@
 
 Foam::bodyContact::bodyContact
 (
-    vertexData& data,
+    const vertexData& data,
     const symmetryConstraint& symmetry,
     const heldNodes& held
 )
