@@ -16,23 +16,29 @@ namespace
 
 using namespace Foam;
 
-//- State of a corner as it is sent: 1, x, n, linear field, stretch
-typedef FixedList<scalar, 11> cornerState;
-
-//- What a corner gets: share, force of a unit pressure, area with that, share
-//  that is judged
-typedef FixedList<scalar, 6> cornerSum;
-
-vector at(const cornerState& m, const label i)
+//- State of a corner as it is sent
+struct cornerState
+:
+    public surfacePlace
 {
-    return vector(m[i], m[i + 1], m[i + 2]);
-}
+    scalar one;
+    vector linear;      //!< a linear field
+};
 
-struct addSums
+//- What a corner gets
+struct cornerSum
 {
-    void operator()(cornerSum& a, const cornerSum& b) const
+    scalar share = 0;               //!< of its area
+    scalar judged = 0;              //!< of that, what is judged
+    vector force = vector::zero;    //!< of a unit pressure
+    scalar area = 0;                //!< with that
+
+    void operator+=(const cornerSum& more)
     {
-        forAll(a, i) a[i] += b[i];
+        share += more.share;
+        judged += more.judged;
+        force += more.force;
+        area += more.area;
     }
 };
 
@@ -100,7 +106,7 @@ struct sideSums
 
     point position(const label corner) const
     {
-        return side.body->position(corners.geometry.cornerNode[corner]);
+        return contactSurface::place(side, corner).x;
     }
 
     void addWeights(const contactStencil& s)
@@ -127,28 +133,30 @@ struct sideSums
             bool whole = true;
             for (label k = start; k < start + n; ++k)
             {
-                const scalar share = got[k][0];
+                const scalar share = got[k].share;
                 nWithout += (share < 1e-6);
                 nPartly += (share >= 1e-6 && share < 1 - 1e-6);
                 whole = whole && share >= 1 - 1e-6;
                 if (share >= 1e-6) leastSum = min(leastSum, share);
                 greatestSum = max(greatestSum, share);
-                judgedSum = max(judgedSum, got[k][5]);
+                judgedSum = max(judgedSum, got[k].judged);
             }
             for (label j = 0; j < n; ++j)
             {
                 const label k = start + j;
-                const vector F(got[k][1], got[k][2], got[k][3]);
                 for (label a = 0; a < n; ++a)
                 {
-                    const vector Fa(s[a*n + j]/patch.cornerArea[k]*F);
+                    const vector Fa
+                    (
+                        s[a*n + j]/patch.cornerArea[k]*got[k].force
+                    );
                     force += Fa;
                     moment += (position(start + a) - middle) ^ Fa;
                 }
                 if (whole)
                 {
                     const scalar t =
-                        got[k][4]/(patch.cornerArea[k]*corners.stretch[k]);
+                        got[k].area/(patch.cornerArea[k]*corners.stretch[k]);
                     leastTraction = min(leastTraction, t);
                     greatestTraction = max(greatestTraction, t);
                 }
@@ -228,22 +236,18 @@ void Foam::checkInterface
     List<cornerState> plus(near.size());
     forAll(plus, c)
     {
-        const label k = near[c];
-        const point x(P.position(k));
-        const vector u(linear(x));
-        plus[c][0] = 1;
-        for (direction i = 0; i < 3; ++i)
-        {
-            plus[c][1 + i] = x[i];
-            plus[c][4 + i] = P.corners.n[k][i];
-            plus[c][7 + i] = u[i];
-        }
-        plus[c][10] = P.corners.stretch[k];
+        static_cast<surfacePlace&>(plus[c]) =
+            contactSurface::place(P.side, near[c]);
+        plus[c].one = 1;
+        plus[c].linear = linear(plus[c].x);
     }
-    pairing.toSlots(plus);
+    contactExchange exchange;
+    const contactPairing* only = &pairing;
+    exchange.set(UList<const contactPairing*>(&only, 1));
+    exchange.toSlots(plus);
 
-    List<cornerSum> toMinus(M.corners.size(), cornerSum(scalar(0)));
-    List<cornerSum> toPlus(pairing.nSlots(), cornerSum(scalar(0)));
+    List<cornerSum> toMinus(M.corners.size(), cornerSum());
+    List<cornerSum> toPlus(pairing.nSlots(), cornerSum());
 
     scalar leastGap = GREAT, greatestGap = -GREAT, gapArea = 0;
     scalar opposedArea = 0, penetration = 0, magForce = 0;
@@ -258,37 +262,18 @@ void Foam::checkInterface
     for (const contactOverlap& o : overlaps)
     {
         // Both sides at the centroid
-        cornerState b(scalar(0));
-        for (label j = 0; j < o.plus.size; ++j)
-        {
-            const cornerState& c = plus[o.plus.corner[j]];
-            forAll(b, i) b[i] += o.plus.value[j]*c[i];
-        }
-        vector x(Zero);
-        for (label j = 0; j < o.minus.size; ++j)
-        {
-            x += o.minus.value[j]*M.position(o.minus.corner[j]);
-        }
-        const vector xPlus(at(b, 1));
-
-        vector n;
-        const bool opposed = contactOverlaps::commonNormal
-        (
-            o.minus(M.corners.n), at(b, 4), n
-        );
-
-        const scalar minusArea = o.minus.area*o.minus(M.corners.stretch);
-        const scalar plusArea = o.plus.area*b[10];
-        const scalar area = 0.5*(minusArea + plusArea);
+        const surfacePlace a(contactSurface::place(M.side, o.minus));
+        const cornerState b(scalarRecord::mean(o.plus, plus));
+        const overlapState at(o, a, b);
+        const scalar area = at.area, gap = at.gap;
+        const vector& n = at.n;
 
         // Gap and offset. Overlaps that do not face each other do not touch
-        const vector across(xPlus - x);
-        const scalar gap = across & n;
-        const scalar relativeOffset = mag(across - gap*n)/o.width;
-        const vector u(at(b, 7));
-        if (opposed)
+        const scalar relativeOffset = mag(b.x - a.x - gap*n)/o.width;
+        const vector& u = b.linear;
+        if (at.opposed)
         {
-            const vector jump(u - linear(x));
+            const vector jump(u - linear(a.x));
             acrossError = max(acrossError, mag(jump - (jump & n)*n));
             leastGap = min(leastGap, gap);
             greatestGap = max(greatestGap, gap);
@@ -309,14 +294,14 @@ void Foam::checkInterface
         // Weights, and areas with the gap closed
         M.addWeights(o.minus);
         P.addWeights(o.plus);
-        M.currentArea += minusArea;
-        P.currentArea += plusArea;
-        M.areaMoment += minusArea*(x - middle);
-        P.areaMoment += plusArea*(xPlus - gap*n - middle);
+        M.currentArea += at.minusArea;
+        P.currentArea += at.plusArea;
+        M.areaMoment += at.minusArea*(a.x - middle);
+        P.areaMoment += at.plusArea*(b.x - gap*n - middle);
 
         // Transfer
-        constantError = max(constantError, mag(b[0] - 1));
-        ownError = max(ownError, mag(u - linear(xPlus)));
+        constantError = max(constantError, mag(b.one - 1));
+        ownError = max(ownError, mag(u - linear(b.x)));
 
         // A unit pressure
         magForce += area;
@@ -324,12 +309,12 @@ void Foam::checkInterface
             !contact.moves() || gap <= contactLimits::closeGap*o.width;
         cornerSum& minusSum = toMinus[o.minus.corner[0]];
         cornerSum& plusSum = toPlus[o.plus.corner[0]];
-        minusSum[0] += o.minus.share;
-        plusSum[0] += o.plus.share;
+        minusSum.share += o.minus.share;
+        plusSum.share += o.plus.share;
         if (judged)
         {
-            minusSum[5] += o.minus.share;
-            plusSum[5] += o.plus.share;
+            minusSum.judged += o.minus.share;
+            plusSum.judged += o.plus.share;
         }
         const auto spread = [&]
         (
@@ -342,11 +327,8 @@ void Foam::checkInterface
             {
                 cornerSum& c = to[s.corner[j]];
                 const scalar part = s.flux[j]*area;
-                for (direction i = 0; i < 3; ++i)
-                {
-                    c[1 + i] += sign*part*n[i];
-                }
-                c[4] += part;
+                c.force += sign*part*n;
+                c.area += part;
             }
         };
         spread(toMinus, o.minus, -1);
@@ -354,7 +336,7 @@ void Foam::checkInterface
 
         lines.append
         (
-            x, xPlus,
+            a.x, b.x,
             {
                 area, gap, o.minus.share, o.plus.share, relativeOffset,
                 scalar(Pstream::myProcNo())
@@ -362,8 +344,8 @@ void Foam::checkInterface
         );
     }
 
-    pairing.toCorners(toPlus, addSums(), cornerSum(scalar(0)));
-    List<cornerSum> toAllPlus(P.corners.size(), cornerSum(scalar(0)));
+    exchange.toCorners(toPlus, cornerSum());
+    List<cornerSum> toAllPlus(P.corners.size(), cornerSum());
     forAll(near, c) toAllPlus[near[c]] = toPlus[c];
     M.finish(toMinus, middle);
     P.finish(toAllPlus, middle);

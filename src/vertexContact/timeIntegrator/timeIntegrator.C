@@ -17,4 +17,17 @@ const Foam::Enum<Foam::integratorType> Foam::timeIntegrator::names
 });
 
 
+const Foam::timeIntegrator::coefficients Foam::timeIntegrator::all_[] =
+{
+    // stages, split, leapfrog, weights of the old state, instants, shares
+    {2, false, false, {0, 0.5}, {0, 1, 1}, {0.5, 0.5}},
+    {
+        3, false, false, {0, 0.75, 1.0/3}, {0, 1, 0.5, 1},
+        {1.0/6, 1.0/6, 2.0/3}
+    },
+    {1, true, false, {0}, {0, 1}, {1}},
+    {1, false, true, {0}, {0, 1}, {1}}
+};
+
+
 // ************************************************************************* //

@@ -211,24 +211,6 @@ TEST_CASE("Faces apart have no overlap", "[contact]")
 }
 
 
-TEST_CASE("Faces survive the transport", "[contact]")
-{
-    const contactFace f(faceOf(kite, 12, up));
-    const contactFace g(contactFace::unpack(f.pack()));
-
-    REQUIRE(g.size == f.size);
-    REQUIRE(g.firstCorner == f.firstCorner);
-    REQUIRE(g.crossing == f.crossing);
-    REQUIRE(g.split == f.split);
-    REQUIRE(g.width == f.width);
-    REQUIRE(g.n == f.n);
-    REQUIRE(g.x == f.x);
-    REQUIRE(g.X == f.X);
-    REQUIRE(g.area == f.area);
-    REQUIRE(g.spread == f.spread);
-}
-
-
 TEST_CASE("Joined, two corners have one overlap with the sums of its pieces")
 {
     std::vector<point> moved(kite.rbegin(), kite.rend());

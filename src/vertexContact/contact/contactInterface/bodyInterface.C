@@ -9,29 +9,6 @@
 #include "surfaceSelection.H"
 #include "dictionaryCheck.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace
-{
-
-using namespace Foam;
-
-//- Sum, but the least gap and the largest status
-struct combineAnswers
-{
-    template<class Answer>
-    void operator()(Answer& a, const Answer& b) const
-    {
-        const scalar gap = min(a[7], b[7]), status = max(a[8], b[8]);
-        forAll(a, i) a[i] += b[i];
-        a[7] = gap;
-        a[8] = status;
-    }
-};
-
-} // End anonymous namespace
-
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::contactSide Foam::bodyInterface::readSide
@@ -74,6 +51,7 @@ bool Foam::bodyInterface::readTwoWay(const dictionary& dict)
 void Foam::bodyInterface::resize()
 {
     const List<contactOverlap>& overlaps = pairing_->overlaps();
+    setExchange();
 
     if (minus_.body->variational())
     {
@@ -93,8 +71,8 @@ void Foam::bodyInterface::resize()
             minus[o.minus.corner[0]] += o.minus.share;
             plus[o.plus.corner[0]] += o.plus.share;
         }
-        pairing_->toCorners(plus, plusEqOp<scalar>(), scalar(0));
-        pairing_->toSlots(plus);
+        exchange_.toCorners(plus, scalar(0));
+        exchange_.toSlots(plus);
 
         perMinusCovered_.setSize(overlaps.size());
         perPlusCovered_.setSize(overlaps.size());
@@ -138,15 +116,19 @@ void Foam::bodyInterface::setKernel()
     const labelList& plusCorners = pairing_->plusCorners();
     const labelList& plusNode =
         plus_.body->corners(plus_.patchi).geometry.cornerNode;
-    List<FixedList<scalar, 4>> plus(plusCorners.size());
+    struct plusCorner
+    {
+        scalar compliance;
+        point X;
+    };
+    List<plusCorner> plus(plusCorners.size());
     forAll(plus, i)
     {
         const label k = plusCorners[i];
-        const point& X = points[plus_.body->dual().nodePoint()[plusNode[k]]];
-        plus[i][0] = plus_.body->surfaceCompliance(plus_.patchi, k);
-        for (direction c = 0; c < 3; ++c) plus[i][1 + c] = X[c];
+        plus[i].compliance = plus_.body->surfaceCompliance(plus_.patchi, k);
+        plus[i].X = points[plus_.body->dual().nodePoint()[plusNode[k]]];
     }
-    pairing_->toSlots(plus);
+    exchange_.toSlots(plus);
 
     scalarField perMass(overlaps.size()), firstGap;
     if (law().bonded()) firstGap.setSize(overlaps.size());
@@ -164,9 +146,9 @@ void Foam::bodyInterface::setKernel()
         vector between(Zero);
         for (label j = 0; j < over.plus.size; ++j)
         {
-            const FixedList<scalar, 4>& c = plus[over.plus.corner[j]];
-            perMass[o] += over.plus.value[j]*c[0];
-            between += over.plus.value[j]*vector(c[1], c[2], c[3]);
+            const plusCorner& c = plus[over.plus.corner[j]];
+            perMass[o] += over.plus.value[j]*c.compliance;
+            between += over.plus.value[j]*c.X;
         }
         if (firstGap.size())
         {
@@ -209,31 +191,25 @@ void Foam::bodyInterface::findStates
     forAll(corners, i)
     {
         const label k = corners[i], node = patch.cornerNode[k];
-        const point x(body.expand(X + node*d) + body.expand(disp + node*d));
-        const vector v(body.contact().velocityWithout(node));
         const vector area
         (
             body.currentArea(node, patch.cornerNormal.cdata() + k*d)
         );
-        const scalar stretch = mag(area);
         surfaceState& s = states[i];
-        for (direction c = 0; c < 3; ++c)
-        {
-            s[c] = x[c];
-            s[3 + c] = v[c];
-            s[6 + c] = area[c]/stretch;
-        }
-        s[9] = stretch;
+        s.x = body.expand(X + node*d) + body.expand(disp + node*d);
+        s.v = body.contact().velocityWithout(node);
+        s.stretch = mag(area);
+        s.n = area/s.stretch;
     }
 }
 
 
-template<class Message, class Function>
+template<class Value, class Function>
 void Foam::bodyInterface::setCorners
 (
     const contactSide& side,
     const labelList& corners,
-    List<Message>& values,
+    List<Value>& values,
     const Function& set
 )
 {
@@ -247,47 +223,32 @@ void Foam::bodyInterface::findVelocities
 (
     const contactSide& side,
     const labelList& corners,
-    List<velocityMessage>& velocities
+    vectorField& velocities
 )
 {
     const solidBody& body = *side.body;
-    setCorners(side, corners, velocities, [&](const label node, auto& m)
+    setCorners(side, corners, velocities, [&](const label node, vector& v)
     {
-        const vector v(body.contact().velocityWith(node));
-        for (direction c = 0; c < 3; ++c) m[c] = v[c];
+        v = body.contact().velocityWith(node);
     });
 }
 
 
 void Foam::bodyInterface::send()
 {
-    const solidBody& body = *plus_.body;
-    const cornerStates& P = body.corners(plus_.patchi);
-    const scalarField& depth = body.depth(plus_.patchi);
-    const pointField& points = body.mesh().points();
-
+    const cornerStates& P = plus_.body->corners(plus_.patchi);
     const labelList& corners = pairing_->plusCorners();
     sent_.setSize(corners.size());
     forAll(corners, i)
     {
         const label k = corners[i];
-        cornerMessage& m = sent_[i];
-        const label node = P.geometry.cornerNode[k];
-        const vector x(body.position(node));
-        const vector X(points[body.dual().nodePoint()[node]]);
-        for (direction c = 0; c < 3; ++c)
-        {
-            m[c] = P.v[k][c];
-            m[3 + c] = P.t[k][c];
-            m[6 + c] = P.n[k][c];
-            m[9 + c] = x[c];
-            m[15 + c] = X[c];
-        }
-        m[12] = P.stretch[k];
-        m[13] = P.waveFactor[k];
-        m[14] = depth[k];
+        plusState& s = sent_[i];
+        static_cast<surfacePlace&>(s) = contactSurface::place(plus_, k);
+        s.v = P.v[k];
+        s.t = P.t[k];
+        s.waveFactor = P.waveFactor[k];
     }
-    pairing_->toSlots(sent_);
+    exchange_.toSlots(sent_);
 }
 
 
@@ -317,8 +278,8 @@ void Foam::bodyInterface::findNear()
         const scalar gap
     )
     {
-        scalar& minus = toMinus_[b.minus.slot[0][l]][answerGap];
-        scalar& plus = toPlus_[b.plus.slot[0][l]][answerGap];
+        scalar& minus = toMinus_[b.minus.slot[0][l]].gap;
+        scalar& plus = toPlus_[b.plus.slot[0][l]].gap;
         minus = min(minus, gap);
         plus = min(plus, gap);
     };
@@ -412,10 +373,16 @@ void Foam::bodyInterface::correctNear()
     for (nearBlock<nNodes>& near : nearBlocks<nNodes>())
     {
         const auto& b = kernel[near.block];
-        const auto minus =
-            near.velocity(near.lever.minus, b.minus, minusVelocities_);
-        const auto plus =
-            near.velocity(near.lever.plus, b.plus, plusVelocities_);
+        const auto minus = near.velocity
+        (
+            near.lever.minus, b.minus,
+            [&](const label s) -> const vector& { return minusVelocities_[s]; }
+        );
+        const auto plus = near.velocity
+        (
+            near.lever.plus, b.plus,
+            [&](const label s) -> const vector& { return plusVelocities_[s]; }
+        );
         for (label k = 0; k < near.size; ++k)
         {
             contactLaw::problem& p = near.problems[k];
@@ -435,8 +402,8 @@ void Foam::bodyInterface::solveNear()
 {
     typedef overlapKernel<nNodes> kernelType;
     const kernelType& kernel = std::get<kernelType>(kernels_);
-    surfaceAnswer* toMinus = toMinus_.data();
-    surfaceAnswer* toPlus = toPlus_.data();
+    nodeAnswer* toMinus = toMinus_.data();
+    nodeAnswer* toPlus = toPlus_.data();
 
     for (nearBlock<nNodes>& near : nearBlocks<nNodes>())
     {
@@ -459,20 +426,13 @@ void Foam::bodyInterface::solveNear()
             if (p.result.state == acousticRiemann::status::open) continue;
 
             acts[l] = true;
-            surfaceAnswer& minus = toMinus[b.minus.slot[0][l]];
-            surfaceAnswer& plus = toPlus[b.plus.slot[0][l]];
-            for (direction c = 0; c < 3; ++c)
-            {
-                const scalar f = p.area*p.result.t[c];
-                force[c][l] = f;
-                minus[c] += f;
-                plus[c] -= f;
-            }
-            const scalar state = int(p.result.state);
-            minus[answerArea] += p.area;
-            plus[answerArea] += p.area;
-            minus[answerStatus] = max(minus[answerStatus], state);
-            plus[answerStatus] = max(plus[answerStatus], state);
+            contactAnswer told(answer(p, p.area));
+            for (int c = 0; c < 3; ++c) force[c][l] = told.force[c];
+            contactAnswer& minus = toMinus[b.minus.slot[0][l]];
+            contactAnswer& plus = toPlus[b.plus.slot[0][l]];
+            minus += told;
+            told.force = -told.force;
+            plus += told;
         }
         kernel.act(b, near.lever, force, acts, toMinus, toPlus);
     }
@@ -509,11 +469,11 @@ void Foam::bodyInterface::exchangeForces
     {
         pair->withNodes([&](auto N) { pair->solveNear<N.value>(); });
     }
-    exchange.toCorners<surfaceAnswer>
+    exchange.toCorners<nodeAnswer>
     (
         [&](const label i) -> auto& { return pairs[i]->toPlus_; },
         [&](const label i) -> auto& { return pairs[i]->toOwn_; },
-        combineSurfaceAnswers(), noSurfaceAnswer()
+        nodeAnswer()
     );
     for (bodyInterface* pair : pairs)
     {
@@ -528,8 +488,8 @@ void Foam::bodyInterface::startAnswers()
 {
     toMinus_.setSize(minusCorners_.size());
     toPlus_.setSize(pairing_->nSlots());
-    toMinus_ = noSurfaceAnswer();
-    toPlus_ = noSurfaceAnswer();
+    toMinus_ = nodeAnswer();
+    toPlus_ = nodeAnswer();
 }
 
 
@@ -572,7 +532,7 @@ void Foam::bodyInterface::correctForces
             p.plus_, p.pairing_->plusCorners(), p.ownVelocities_
         );
     }
-    exchange.toSlots<velocityMessage>
+    exchange.toSlots<vector>
     (
         [&](const label i) -> auto& { return pairs[i]->ownVelocities_; },
         [&](const label i) -> auto& { return pairs[i]->plusVelocities_; }
@@ -600,29 +560,17 @@ void Foam::bodyInterface::tell
 (
     const contactSide& side,
     const labelList& corners,
-    const UList<surfaceAnswer>& answers,
+    const UList<nodeAnswer>& answers,
     const bool newStatus
 )
 {
     solidBody& body = *side.body;
-    bodyContact& out = body.contact();
     const labelList& cornerNode = body.corners(side.patchi).geometry.cornerNode;
     forAll(corners, i)
     {
-        const label node = cornerNode[corners[i]];
-        const surfaceAnswer& a = answers[i];
-        out.gap[node] = min(out.gap[node], a[answerGap]);
-        if (a[answerStatus] > 0)
-        {
-            out.force[node] += vector(a[0], a[1], a[2]);
-            out.area[node] += a[answerArea];
-            if (newStatus)
-            {
-                out.status[node] = max(out.status[node], a[answerStatus]);
-            }
-        }
-        const scalar* f = a.cdata() + answerForce;
-        out.add(node, vector(f[0], f[1], f[2]));
+        const label k = corners[i];
+        setState(side, k, answers[i], newStatus);
+        body.contact().add(cornerNode[k], answers[i].nodeForce);
     }
 }
 
@@ -666,9 +614,7 @@ Foam::bodyInterface::bodyInterface
     (
         name, dict, readSide(dict, bodies, 0), readSide(dict, bodies, 1)
     )
-{
-    setExchange();
-}
+{}
 
 
 Foam::bodyInterface::bodyInterface
@@ -744,7 +690,6 @@ void Foam::bodyInterface::update(const scalar time, const bool)
         contactSurface::snapshots(sides(), false)
     );
     pairing_->update(time, now[0], now[1]);
-    setExchange();
     resize();
     if (!pairing_->active()) statistics_ = statistics();
 }
@@ -832,49 +777,24 @@ void Foam::bodyInterface::solve(const scalar, const bool firstStage)
         const contactOverlap& over = overlaps[o];
         contactLaw::problem& p = problems_[o];
 
-        // The plus side at the centroid
-        cornerMessage m(scalar(0));
-        for (label j = 0; j < over.plus.size; ++j)
-        {
-            const cornerMessage& c = sent_[over.plus.corner[j]];
-            forAll(m, i) m[i] += over.plus.value[j]*c[i];
-        }
-
-        // The minus side
-        vector x(Zero);
-        for (label j = 0; j < over.minus.size; ++j)
-        {
-            x +=
-                over.minus.value[j]
-               *minus_.body->position
-                (
-                    M.geometry.cornerNode[over.minus.corner[j]]
-                );
-        }
-        const scalar minusStretch = over.minus(M.stretch);
-        const scalar plusStretch = m[12];
+        const plusState plus(scalarRecord::mean(over.plus, sent_));
+        const surfacePlace minus(contactSurface::place(minus_, over.minus));
+        const overlapState at(over, minus, plus);
         const scalar minusFactor = over.minus(M.waveFactor);
-        const scalar plusFactor = m[13];
 
         p.minus.v = over.minus(M.v);
-        p.minus.t = over.minus(M.t)/minusStretch;
-        p.minus.zp = impedance(minusFactor*M.zp, minusStretch);
-        p.minus.zs = impedance(minusFactor*M.zs, minusStretch);
-        p.plus.v = vector(m[0], m[1], m[2]);
-        p.plus.t = -vector(m[3], m[4], m[5])/plusStretch;
-        p.plus.zp = impedance(plusFactor*P.zp, plusStretch);
-        p.plus.zs = impedance(plusFactor*P.zs, plusStretch);
-
-        p.area =
-            0.5*(over.minus.area*minusStretch + over.plus.area*plusStretch);
-
-        const bool opposed = contactOverlaps::commonNormal
-        (
-            over.minus(M.n), vector(m[6], m[7], m[8]), p.n
-        );
-        p.gap = (vector(m[9], m[10], m[11]) - x) & p.n;
-        setTouching(p, opposed, closed_[o], over.depth);
-        if (closed_[o] && opposed && p.gap < -lostDepth*over.depth)
+        p.minus.t = over.minus(M.t)/minus.stretch;
+        p.minus.zp = impedance(minusFactor*M.zp, minus.stretch);
+        p.minus.zs = impedance(minusFactor*M.zs, minus.stretch);
+        p.plus.v = plus.v;
+        p.plus.t = -plus.t/plus.stretch;
+        p.plus.zp = impedance(plus.waveFactor*P.zp, plus.stretch);
+        p.plus.zs = impedance(plus.waveFactor*P.zs, plus.stretch);
+        p.area = at.area;
+        p.n = at.n;
+        p.gap = at.gap;
+        setTouching(p, at.opposed, closed_[o], over.depth);
+        if (closed_[o] && at.opposed && p.gap < -lostDepth*over.depth)
         {
             lose(minus_, over.minus.corner[0], -p.gap, over.depth);
         }
@@ -884,7 +804,7 @@ void Foam::bodyInterface::solve(const scalar, const bool firstStage)
 
     // Forces and velocities to both sides
     answers_.setSize(pairing_->nSlots());
-    answers_ = noPlusMessage();
+    answers_ = fluxAnswer();
 
     forAll(problems_, o)
     {
@@ -897,54 +817,50 @@ void Foam::bodyInterface::solve(const scalar, const bool firstStage)
         {
             minusArea *= perMinusCovered_[o];
             plusArea *= perPlusCovered_[o];
-            scalar plusStretch = 0;
-            for (label j = 0; j < over.plus.size; ++j)
-            {
-                plusStretch +=
-                    over.plus.value[j]*sent_[over.plus.corner[j]][12];
-            }
             minusForce = minusArea*over.minus(M.stretch);
-            plusForce = plusArea*plusStretch;
+            plusForce =
+                plusArea*scalarRecord::mean(over.plus, sent_).stretch;
         }
 
         count(p, over.width, over.depth, minusForce, plusForce);
         statistics_.frictionPower += minusForce*slipPower(p);
 
-        const answerMessage toMinus(answer(p, minusForce, minusArea));
-        const answerMessage toPlus(plusAnswer(p, plusForce, plusArea));
+        const contactLaw::problem q(fromPlus(p));
+        const contactAnswer toMinus(answer(p, minusForce));
+        const contactAnswer toPlus(answer(q, plusForce));
 
         setState(minus_, over.minus.corner[0], toMinus, firstStage);
-        plusMessage told(noPlusMessage());
-        forAll(toPlus, i) told[i] = toPlus[i];
-        combineAnswers()(answers_[over.plus.corner[0]], told);
+        contactAnswer& own = answers_[over.plus.corner[0]];
+        own += toPlus;
 
-        if (p.result.state != acousticRiemann::status::open)
+        if (p.result.state == acousticRiemann::status::open) continue;
+
+        const vector minusChange(minusArea*velocityChange(p));
+        const vector plusChange(plusArea*velocityChange(q));
+        for (label j = 0; j < over.minus.size; ++j)
         {
-            for (label j = 0; j < over.minus.size; ++j)
-            {
-                addFlux(M, over.minus.corner[j], toMinus, over.minus.flux[j]);
-            }
-            for (label j = 0; j < over.plus.size; ++j)
-            {
-                plusMessage& f = answers_[over.plus.corner[j]];
-                for (label i = 0; i < 6; ++i)
-                {
-                    f[9 + i] += over.plus.flux[j]*toPlus[i];
-                }
-            }
+            const scalar share = over.minus.flux[j];
+            addFlux
+            (
+                M, over.minus.corner[j], share*toMinus.force, share*minusChange
+            );
+        }
+        for (label j = 0; j < over.plus.size; ++j)
+        {
+            const scalar share = over.plus.flux[j];
+            fluxAnswer& f = answers_[over.plus.corner[j]];
+            f.tractionFlux += share*toPlus.force;
+            f.velocityFlux += share*plusChange;
         }
     }
 
-    pairing_->toCorners(answers_, combineAnswers(), noPlusMessage());
+    exchange_.toCorners(answers_, fluxAnswer());
     const labelList& corners = pairing_->plusCorners();
     forAll(corners, c)
     {
-        const label k = corners[c];
-        answerMessage state, flux;
-        forAll(state, i) state[i] = answers_[c][i];
-        for (label i = 0; i < 6; ++i) flux[i] = answers_[c][9 + i];
-        setState(plus_, k, state, firstStage);
-        addFlux(P, k, flux, 1);
+        const fluxAnswer& told = answers_[c];
+        setState(plus_, corners[c], told, firstStage);
+        addFlux(P, corners[c], told.tractionFlux, told.velocityFlux);
     }
 }
 
@@ -953,19 +869,14 @@ void Foam::bodyInterface::findSteps
 (
     const contactSide& side,
     const labelList& corners,
-    List<stepMessage>& steps
+    List<stepVelocities>& steps
 )
 {
     const solidBody& body = *side.body;
-    setCorners(side, corners, steps, [&](const label node, auto& m)
+    setCorners(side, corners, steps, [&](const label node, stepVelocities& v)
     {
-        const vector v(body.stepVelocity(node));
-        const vector mean(body.meanStepVelocity(node));
-        for (direction c = 0; c < 3; ++c)
-        {
-            m[c] = v[c];
-            m[3 + c] = mean[c];
-        }
+        v.last = body.stepVelocity(node);
+        v.mean = body.meanStepVelocity(node);
     });
 }
 
@@ -997,12 +908,21 @@ void Foam::bodyInterface::slideOverlaps
         // Of the plus side relative to the minus side, in the step and in the
         // mean with the one before
         const auto& b = kernel[near.block];
-        const auto way =
-            near.velocity(near.lever.plus, b.plus, plusSteps_)
-          - near.velocity(near.lever.minus, b.minus, minusSteps_);
-        const auto mean =
-            near.velocity(near.lever.plus, b.plus, plusSteps_, 3)
-          - near.velocity(near.lever.minus, b.minus, minusSteps_, 3);
+        const auto slip = [&](vector stepVelocities::* which)
+        {
+            const auto of = [&](const List<stepVelocities>& steps)
+            {
+                return [&steps, which](const label s) -> const vector&
+                {
+                    return steps[s].*which;
+                };
+            };
+            return
+                near.velocity(near.lever.plus, b.plus, of(plusSteps_))
+              - near.velocity(near.lever.minus, b.minus, of(minusSteps_));
+        };
+        const auto way = slip(&stepVelocities::last);
+        const auto mean = slip(&stepVelocities::mean);
 
         for (label k = 0; k < near.size; ++k)
         {
@@ -1059,7 +979,7 @@ void Foam::bodyInterface::slide
         findSteps(p.minus_, p.minusCorners_, p.minusSteps_);
         findSteps(p.plus_, p.pairing_->plusCorners(), p.ownSteps_);
     }
-    exchange.toSlots<stepMessage>
+    exchange.toSlots<stepVelocities>
     (
         [&](const label i) -> auto& { return pairs[i]->ownSteps_; },
         [&](const label i) -> auto& { return pairs[i]->plusSteps_; }

@@ -101,52 +101,9 @@ Foam::scalar Foam::contactInterface::kept(const contactLaw::problem& p)
 }
 
 
-Foam::contactInterface::answerMessage Foam::contactInterface::noAnswer()
-{
-    answerMessage none(scalar(0));
-    none[7] = GREAT;
-    return none;
-}
-
-
-Foam::contactInterface::answerMessage Foam::contactInterface::answer
+Foam::contactLaw::problem Foam::contactInterface::fromPlus
 (
-    const contactLaw::problem& p,
-    const scalar force,
-    const scalar area
-)
-{
-    answerMessage a(noAnswer());
-    a[7] = p.gap;
-    if (p.result.state != acousticRiemann::status::open)
-    {
-        // A sliding surface keeps the tangential velocity of its nodes
-        vector change(p.result.vMinus - p.minus.v);
-        if (p.result.state == acousticRiemann::status::slip)
-        {
-            change = (change & p.n)*p.n;
-        }
-
-        // Instead of the velocity of an open one (47)
-        change += ((p.minus.t & p.n)/p.minus.zp)*p.n;
-
-        for (direction i = 0; i < 3; ++i)
-        {
-            a[i] = force*p.result.t[i];
-            a[3 + i] = area*change[i];
-        }
-        a[6] = force;
-        a[8] = scalar(int(p.result.state));
-    }
-    return a;
-}
-
-
-Foam::contactInterface::answerMessage Foam::contactInterface::plusAnswer
-(
-    const contactLaw::problem& p,
-    const scalar force,
-    const scalar area
+    const contactLaw::problem& p
 )
 {
     contactLaw::problem seen(p);
@@ -154,7 +111,44 @@ Foam::contactInterface::answerMessage Foam::contactInterface::plusAnswer
     seen.minus.t = -p.plus.t;
     seen.result.vMinus = p.result.vPlus;
     seen.result.t = -p.result.t;
-    return answer(seen, force, area);
+    return seen;
+}
+
+
+Foam::contactAnswer Foam::contactInterface::answer
+(
+    const contactLaw::problem& p,
+    const scalar area
+)
+{
+    contactAnswer a;
+    a.gap = p.gap;
+    if (p.result.state != acousticRiemann::status::open)
+    {
+        a.force = area*p.result.t;
+        a.area = area;
+        a.status = int(p.result.state);
+    }
+    return a;
+}
+
+
+Foam::vector Foam::contactInterface::velocityChange
+(
+    const contactLaw::problem& p
+)
+{
+    // A sliding surface keeps the tangential velocity of its nodes
+    vector change(p.result.vMinus - p.minus.v);
+    if (p.result.state == acousticRiemann::status::slip)
+    {
+        change = (change & p.n)*p.n;
+    }
+    const scalar open = acousticRiemann::releaseVelocityMinus
+    (
+        p.minus.zp, scalar(0), p.minus.t & p.n, scalar(0)
+    );
+    return change - open*p.n;
 }
 
 
@@ -251,13 +245,13 @@ void Foam::contactInterface::addFlux
 (
     cornerStates& c,
     const label corner,
-    const answerMessage& answer,
-    const scalar share
+    const vector& tractionFlux,
+    const vector& velocityFlux
 )
 {
-    const scalar perArea = share/c.geometry.cornerArea[corner];
-    c.tB[corner] += perArea*vector(answer[0], answer[1], answer[2]);
-    c.vB[corner] += perArea*vector(answer[3], answer[4], answer[5]);
+    const scalar perArea = 1/c.geometry.cornerArea[corner];
+    c.tB[corner] += perArea*tractionFlux;
+    c.vB[corner] += perArea*velocityFlux;
 }
 
 
@@ -265,7 +259,7 @@ void Foam::contactInterface::setState
 (
     const contactSide& side,
     const label corner,
-    const answerMessage& answer,
+    const contactAnswer& answer,
     const bool newStatus
 )
 {
@@ -273,14 +267,14 @@ void Foam::contactInterface::setState
     bodyContact& out = side.body->contact();
     const label node = c.geometry.cornerNode[corner];
 
-    out.gap[node] = min(out.gap[node], answer[7]);
-    if (answer[8] > 0)
+    out.gap[node] = min(out.gap[node], answer.gap);
+    if (answer.status > 0)
     {
-        out.force[node] += vector(answer[0], answer[1], answer[2]);
-        out.area[node] += answer[6];
+        out.force[node] += answer.force;
+        out.area[node] += answer.area;
         if (newStatus)
         {
-            out.status[node] = max(out.status[node], answer[8]);
+            out.status[node] = max(out.status[node], answer.status);
         }
     }
 }

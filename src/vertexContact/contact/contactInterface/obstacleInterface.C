@@ -126,10 +126,7 @@ void Foam::obstacleInterface::tellForces(const bool firstStage)
     {
         const label k = planes_[i].corner;
         const contactLaw::problem& p = problems_[i];
-        setState
-        (
-            side_, k, answer(p, p.area, patch.cornerArea[k]), firstStage
-        );
+        setState(side_, k, answer(p, p.area), firstStage);
         if (p.result.state != acousticRiemann::status::open)
         {
             body.contact().add(patch.cornerNode[k], p.area*p.result.t);
@@ -401,11 +398,14 @@ void Foam::obstacleInterface::solve(const scalar time, const bool firstStage)
         const contactLaw::problem& p = problems_[i];
         count(p, width_[k], depth[k], p.area, p.area);
         statistics_.frictionPower += p.area*slipPower(p);
-        const answerMessage told(answer(p, p.area, M.geometry.cornerArea[k]));
+        const contactAnswer told(answer(p, p.area));
         setState(side_, k, told, firstStage);
         if (p.result.state != acousticRiemann::status::open)
         {
-            addFlux(M, k, told, 1);
+            addFlux
+            (
+                M, k, told.force, M.geometry.cornerArea[k]*velocityChange(p)
+            );
         }
     }
 }

@@ -5,10 +5,22 @@
 \*---------------------------------------------------------------------------*/
 
 #include "contactExchange.H"
-#include "surfaceState.H"
 #include "DynamicList.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::contactExchange::allow(const label width)
+{
+    for (neighbour& n : neighbours_)
+    {
+        if (n.corners.size() < width*n.nCorners)
+        {
+            n.corners.setSize(width*n.nCorners);
+        }
+        if (n.slots.size() < width*n.nSlots) n.slots.setSize(width*n.nSlots);
+    }
+}
+
 
 void Foam::contactExchange::exchange(const label width, const bool back)
 {
@@ -39,13 +51,6 @@ void Foam::contactExchange::exchange(const label width, const bool back)
 
 void Foam::contactExchange::set(const UList<const contactPairing*>& pairings)
 {
-    // The widest of what is exchanged
-    constexpr std::size_t largest =
-        sizeof(surfaceState) > sizeof(surfaceAnswer)
-      ? sizeof(surfaceState)
-      : sizeof(surfaceAnswer);
-    constexpr label width = largest/sizeof(scalar);
-
     pairings_ = pairings;
     DynamicList<neighbour> all;
     for (label rank = 0; rank < UPstream::nProcs(); ++rank)
@@ -61,8 +66,6 @@ void Foam::contactExchange::set(const UList<const contactPairing*>& pairings)
             n.nSlots += map->constructMap()[rank].size();
         }
         if (n.nCorners + n.nSlots == 0) continue;
-        n.corners.setSize(width*n.nCorners);
-        n.slots.setSize(width*n.nSlots);
         all.append(n);
     }
     neighbours_.transfer(all);

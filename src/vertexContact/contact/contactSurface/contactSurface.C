@@ -236,56 +236,6 @@ void overRanks(List<T>& values, const Combine& operation)
 } // End anonymous namespace
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-Foam::contactFace::message Foam::contactFace::pack() const
-{
-    message m(scalar(0));
-    label k = 0;
-    m[k++] = size;
-    m[k++] = firstCorner;
-    m[k++] = split;
-    m[k++] = crossing;
-    for (const scalar c : spread) m[k++] = c;
-    m[k++] = width;
-    for (direction i = 0; i < 3; ++i) m[k++] = n[i];
-    for (direction i = 0; i < 3; ++i) m[k++] = N[i];
-    for (label j = 0; j < 4; ++j)
-    {
-        for (direction i = 0; i < 3; ++i) m[k++] = x[j][i];
-        for (direction i = 0; i < 3; ++i) m[k++] = X[j][i];
-        m[k++] = area[j];
-        m[k++] = depth[j];
-        m[k++] = rim[j];
-    }
-    return m;
-}
-
-
-Foam::contactFace Foam::contactFace::unpack(const message& m)
-{
-    contactFace f;
-    label k = 0;
-    f.size = label(m[k++]);
-    f.firstCorner = label(m[k++]);
-    f.split = m[k++];
-    f.crossing = m[k++];
-    for (scalar& c : f.spread) c = m[k++];
-    f.width = m[k++];
-    for (direction i = 0; i < 3; ++i) f.n[i] = m[k++];
-    for (direction i = 0; i < 3; ++i) f.N[i] = m[k++];
-    for (label j = 0; j < 4; ++j)
-    {
-        for (direction i = 0; i < 3; ++i) f.x[j][i] = m[k++];
-        for (direction i = 0; i < 3; ++i) f.X[j][i] = m[k++];
-        f.area[j] = m[k++];
-        f.depth[j] = m[k++];
-        f.rim[j] = m[k++] > 0.5;
-    }
-    return f;
-}
-
-
 // * * * * * * * * * * * * * * * * Functions * * * * * * * * * * * * * * * * //
 
 Foam::vector Foam::contactSurface::outOfPlane(const contactSide& side)
@@ -303,6 +253,40 @@ Foam::vector Foam::contactSurface::outOfPlane(const contactSide& side)
         }
     }
     return vector::zero;
+}
+
+
+Foam::surfacePlace Foam::contactSurface::place
+(
+    const contactSide& side,
+    const label corner
+)
+{
+    const cornerStates& c = side.body->corners(side.patchi);
+    return
+    {
+        side.body->position(c.geometry.cornerNode[corner]),
+        c.n[corner],
+        c.stretch[corner]
+    };
+}
+
+
+Foam::surfacePlace Foam::contactSurface::place
+(
+    const contactSide& side,
+    const contactStencil& stencil
+)
+{
+    surfacePlace sum{Zero, Zero, 0};
+    for (label j = 0; j < stencil.size; ++j)
+    {
+        const surfacePlace c(place(side, stencil.corner[j]));
+        sum.x += stencil.value[j]*c.x;
+        sum.n += stencil.value[j]*c.n;
+        sum.stretch += stencil.value[j]*c.stretch;
+    }
+    return sum;
 }
 
 

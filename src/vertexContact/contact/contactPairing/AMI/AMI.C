@@ -12,6 +12,7 @@
 #include "pointTree.H"
 #include "HashSet.H"
 #include "addToRunTimeSelectionTable.H"
+#include <cstring>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -194,16 +195,19 @@ Foam::contactPairings::AMI::AMI
     );
 
     // Faces of the plus side to where the minus side is
-    List<contactFace::message> messages(target.index.size());
-    forAll(messages, f)
+    typedef FixedList<scalar, sizeof(contactFace)/sizeof(scalar)> faceBytes;
+    List<faceBytes> bytes(target.index.size());
+    forAll(bytes, f)
     {
-        messages[f] = plusFaces[target.index[f]].pack();
+        const contactFace& face = plusFaces[target.index[f]];
+        std::memcpy(bytes[f].data(), &face, sizeof(face));
     }
-    compat::toSource(*ami, messages);
-    contactFaceList opposite(messages.size());
-    forAll(messages, f)
+    compat::toSource(*ami, bytes);
+    contactFaceList opposite(bytes.size());
+    forAll(bytes, f)
     {
-        opposite[f] = contactFace::unpack(messages[f]);
+        void* face = &opposite[f];
+        std::memcpy(face, bytes[f].cdata(), sizeof(contactFace));
     }
 
     const vector out(contactSurface::outOfPlane(minus));

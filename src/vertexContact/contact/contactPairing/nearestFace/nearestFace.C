@@ -86,23 +86,20 @@ Foam::contactFaceList Foam::contactPairings::nearestFace::oppositeFaces
 
     DynamicList<contactSurface::outline> mine;
     if (minusRanks.size()) mine = plus.in(near);
-    List<List<contactFace::message>> sent(minusRanks.size()), received;
+    List<List<contactFace>> sent(minusRanks.size()), received;
     forAll(boxes, i)
     {
         const boundBox& box = boxes[i][0];
         if (box.min().x() > box.max().x()) continue;
 
-        DynamicList<contactFace::message> some;
+        DynamicList<contactFace> some;
         for (const contactSurface::outline& o : mine)
         {
             if (box.overlaps(o.box))
             {
                 some.append
                 (
-                    contactSurface::currentFace
-                    (
-                        plus_, plusCorners_, o.face
-                    ).pack()
+                    contactSurface::currentFace(plus_, plusCorners_, o.face)
                 );
             }
         }
@@ -110,15 +107,10 @@ Foam::contactFaceList Foam::contactPairings::nearestFace::oppositeFaces
     }
     rankExchange::lists(minusRanks, sent, plusRanks, received);
 
-    DynamicList<contactFace> all;
-    for (const List<contactFace::message>& messages : received)
-    {
-        for (const contactFace::message& m : messages)
-        {
-            all.append(contactFace::unpack(m));
-        }
-    }
-    return contactFaceList(all);
+    return ListListOps::combine<contactFaceList>
+    (
+        received, accessOp<contactFaceList>()
+    );
 }
 
 
