@@ -173,6 +173,37 @@ def test_folders():
     assert sorted(named) == sorted(there - {"Make"})
 
 
+def circles(uses):
+    """The names that lead back to themselves.
+
+    uses  by name, the set of names that it uses
+    """
+    def reached(name):
+        found, new = set(), {name}
+        while new:
+            new = set().union(*(uses.get(n, set()) for n in new)) - found
+            found |= new
+        return found
+    return sorted(name for name in uses if name in reached(name))
+
+
+def test_folders_use_each_other_one_way():
+    """What a folder includes never includes it again: each can be read after
+    those that it uses."""
+    sources = [file for file in SOURCES if file.is_relative_to(SOURCE)
+               and file.parent != SOURCE]
+    folder = {file.name: file.relative_to(SOURCE).parts[0] for file in sources}
+    uses = {}
+    for file in sources:
+        own = folder[file.name]
+        its = {folder.get(name, own) for name in re.findall(
+            r'(?m)^ *#include "([^"]+)"', file.read_text())}
+        uses.setdefault(own, set()).update(its - {own})
+    assert len(uses) > 20 and "solidBody" in uses["contact"]
+    assert circles({"a": {"b"}, "b": {"c"}, "c": {"b"}}) == ["b", "c"]
+    assert circles(uses) == []
+
+
 def test_equations():
     """Each file of the map is there, each function in one of its row's."""
     bad = []

@@ -5,7 +5,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "bodyContact.H"
-#include "stepRatios.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -126,7 +125,7 @@ void Foam::bodyContact::setBlock(const scalar deltaT, const scalar block)
 {
     step_ = deltaT;
     ahead_ = 0.5*block;
-    gives_ = stepRatios::gives*0.5*block/deltaT;
+    gives_ = blockGives*0.5*block/deltaT;
 }
 
 

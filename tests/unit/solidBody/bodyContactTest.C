@@ -14,7 +14,6 @@ Description
 #include "meshFactory.H"
 #include "bodyContact.H"
 #include "prescribedMotion.H"
-#include "stepRatios.H"
 
 using namespace Foam;
 
@@ -152,7 +151,10 @@ TEST_CASE("within a block the surface gives way by half of it",
     b.contact.setBlock(deltaT, block);
     CHECK(b.contact.step() == deltaT);
     CHECK(b.contact.ahead() == Approx(0.5*block));
-    CHECK(b.contact.gives()*deltaT == Approx(stepRatios::gives*0.5*block));
+    CHECK
+    (
+        b.contact.gives()*deltaT == Approx(bodyContact::blockGives*0.5*block)
+    );
     const label a = b.contact.nodes()[0];
     CHECK
     (
