@@ -9,6 +9,7 @@ features.md beside this file.
 """
 
 import re
+import subprocess
 import sys
 import tempfile
 from pathlib import Path
@@ -19,18 +20,20 @@ import searchPath
 
 import numpy as np
 
-from caseTools import checked
-from smallCases import Body, SmallCase, coulomb, interface
+from caseTools import checked, root
+from smallCases import Body, SmallCase, condition, coulomb, interface
 
 STEPS = 40
 NEO = {"type": "neoHookean", "rho": 1, "E": 1, "nu": 0.3}
 PLASTIC = {**NEO, "type": "HenckyVonMises"}
 YIELDING = {**PLASTIC, "tauY": 1e-9, "Hardening": 0.1}
 SMALL = {**NEO, "type": "linearElastic"}
+HEATED = {**YIELDING, "adiabaticHeating": {"cp": 400, "T0": 300}}
+HELD = {"left": condition("fixedVelocity", velocity=(0, 0, 0))}
 
 
 def block(folder, cells, material=None, control=None, functions=None,
-          size=(1, 1, 1), sides=None, split=None, **scheme):
+          size=(1, 1, 1), sides=None, split=None, stretch=None, **scheme):
     if split:
         scheme["cells"] = split
     d = len(cells)
@@ -38,10 +41,23 @@ def block(folder, cells, material=None, control=None, functions=None,
     body = Body(cells=cells, material=material or NEO, size=size,
                 velocity=lambda X: (X - 0.5) @ rate, scheme=scheme,
                 sides=sides or {})
-    return SmallCase(folder, body, 1, control={
+    case = SmallCase(folder, body, 1, control={
         "preset": "balanced", "deltaT": 0.05/max(cells), "adjustTimeStep": "no",
         "writeControl": "none", "timePrecision": 12,
         **({} if functions else {"functions": {}}), **(control or {})})
+    if stretch is not None:
+        case.writePointField(
+            body, "F0", "[0 0 0 0 0 0 0]",
+            np.tile(np.diag(stretch).ravel(), (len(case.X()), 1)),
+            kind="tensor")
+    return case
+
+
+def history(name, **more):
+    """A function object with a row each step."""
+    return {"functions": {name: {
+        "type": name, "libs": "(vertexContact)", "writeControl": "timeStep",
+        "writeInterval": 1, **more}}}
 
 
 def paper(folder, **arguments):
@@ -49,10 +65,11 @@ def paper(folder, **arguments):
 
 
 def pair(folder, gap, pairing="nearestFace", law="frictionless", speed=0.02,
-         contact=True):
+         contact=True, above=NEO, control=None):
     """Two blocks; their meshes match."""
     def body(name, start, velocity, side):
-        return Body(cells=(20, 20, 20), name=name, start=start, material=NEO,
+        return Body(cells=(20, 20, 20), name=name, start=start,
+                    material=above if name == "above" else NEO,
                     velocity=velocity, sides={side: "contact"} if contact else
                     {})
     bodies = (body("below", (0, 0, 0), (0.01, speed, 0), "top"),
@@ -60,9 +77,11 @@ def pair(folder, gap, pairing="nearestFace", law="frictionless", speed=0.02,
     interfaces = {"contact": interface(("below", "top"), ("above", "bottom"),
                                        law, pairing=pairing)}
     return SmallCase(folder, bodies, 1, interfaces if contact else None,
-                     control={"preset": "balanced", "deltaT": 0.0025, "adjustTimeStep": "no",
-                              "functions": {}, "writeControl": "none",
-                              "timePrecision": 12})
+                     control={
+                         "preset": "balanced", "deltaT": 0.0025,
+                         "adjustTimeStep": "no", "functions": {},
+                         "writeControl": "none", "timePrecision": 12,
+                         **(control or {})})
 
 
 def ratio(folder, own):
@@ -116,12 +135,35 @@ PAIRS = (
     ("plasticity", "every node yields against neo-Hookean", block,
      CELLS, {**CELLS, "material": YIELDING}),
     ("plasticity", "adiabaticHeating against none, every node yields", block,
-     {**CELLS, "material": YIELDING},
-     {**CELLS, "material": {**YIELDING, "adiabaticHeating": {"cp": 400}}}),
+     {**CELLS, "material": YIELDING}, {**CELLS, "material": HEATED}),
+    ("start", "initial stretch F0 against none", block,
+     CELLS, {**CELLS, "stretch": (1.01, 1, 1)}),
+    ("motion", "a side held against free", block,
+     CELLS, {**CELLS, "sides": HELD}),
+    ("motion", "a side held in one direction against all", block,
+     {**CELLS, "sides": HELD},
+     {**CELLS, "sides": {"left": {**HELD["left"], "components": "(x)"}}}),
+    ("motion", "a side held along (1 1 0) against all", block,
+     {**CELLS, "sides": HELD},
+     {**CELLS, "sides": {"left": {**HELD["left"], "direction": (1, 1, 0)}}}),
     ("energies", "solidEnergies each step against none", block,
      CELLS, {**CELLS, "functions": True}),
     ("energies", "maxEnergyRise against none", block,
      CELLS, {**CELLS, "control": {"maxEnergyRise": 1}}),
+    ("histories", "reactionForces each step against none", block,
+     {**CELLS, "sides": HELD},
+     {**CELLS, "sides": HELD, "control": history("reactionForces")}),
+    ("histories", "solidExtremes of pointD.x each step against none", block,
+     CELLS, {**CELLS, "control": history(
+         "solidExtremes", fields="(pointD.x)")}),
+    ("histories", "solidAverages of pointD.x each step against none", block,
+     CELLS, {**CELLS, "control": history(
+         "solidAverages", fields="(pointD.x)")}),
+    ("histories", "contactForces each step against none, in contact", pair,
+     {"gap": 0}, {"gap": 0, "control": history("contactForces")}),
+    ("histories", "contactForces with a filter against none", pair,
+     {"gap": 0, "control": history("contactForces")},
+     {"gap": 0, "control": history("contactForces", filterFrequency=10)}),
     ("contact", "nearestFace, 10 lengths apart, against free bodies", pair,
      {"gap": 10, "contact": False}, {"gap": 10}),
     ("contact", "nearestFace, near, against free bodies", pair,
@@ -135,6 +177,8 @@ PAIRS = (
     ("contact", "Coulomb friction against frictionless, matching", pair,
      {"gap": 0, "pairing": "matching"},
      {"gap": 0, "pairing": "matching", "law": coulomb(0.3)}),
+    ("contact", "one of two blocks in contact rigid against both deform", pair,
+     {"gap": 0}, {"gap": 0, "above": {"type": "rigid", "rho": 1}}),
     ("steps", "subCycling, speeds of waves 1:20, a tenth stiff, against one "
      "step; a common step", ratio, {"own": False}, {"own": True}),
     ("slow loading", "massScaling against none, the same step", block,
@@ -196,10 +240,13 @@ def main():
                 f"{np.median(ratios):.2f} | "
                 f"{with_.bytes/without.bytes:.2f} |")
             print(lines[-1], flush=True)
+    commit = subprocess.run(["git", "describe", "--always", "--dirty"],
+                            cwd=root, capture_output=True,
+                            text=True).stdout.strip() or "no repository"
     (here/"features.md").write_text(f"""# What each feature costs
 
 Written by `tests/benchmark/features.py`: blocks of 24 x 24 x 24 hexahedra (two of 20 x 20 x 20 for contact), neo-Hookean,
-defaults, one core, {STEPS} steps; medians of seven runs, and of the ratios of runs in turns. Memory: what the body stores and its dual mesh, without OpenFOAM's mesh.
+defaults, one core, {STEPS} steps, with the library of {commit}; medians of seven runs, and of the ratios of runs in turns. Memory: what the body stores and its dual mesh, without OpenFOAM's mesh.
 
 | | | off [ms a step] | on [ms a step] | time, on/off | memory, on/off |
 |---|---|---|---|---|---|

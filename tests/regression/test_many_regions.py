@@ -83,6 +83,46 @@ def test_on_two_ranks(tmp_path):
     assert differing(own, shared, ("processor0", "processor1")) == []
 
 
+STRETCH = np.array((1.02, 0.01, 0, 0, 0.99, 0, 0, 0, 1))
+
+
+@pytest.mark.parametrize("ranks", (1, 2))
+def test_shared_start(tmp_path, ranks):
+    """A start field of the case is for the regions that have none of their
+    own and whose law takes it: b2 is of metal, b3 has its own."""
+    own, shared = collision(tmp_path/"own"), collision(tmp_path/"shared")
+    for case in own, shared:
+        case.dictionary("constant/b2/mechanicalProperties", {
+            "type": "HenckyVonMises", "rho": 1, "E": 4, "nu": 0.3,
+            "tauY": 1, "Hardening": 1})
+        for body in case.bodies:
+            F0 = STRETCH if body.name == "b1" else 2*np.eye(3).ravel()/1.98
+            if body.name == "b3" or (case is own and body.name == "b1"):
+                case.writePointField(
+                    body, "F0", "[0 0 0 0 0 0 0]",
+                    np.tile(F0, (len(case.X(body.name)), 1)), kind="tensor")
+    value = " ".join(str(c) for c in STRETCH)
+    shared.write("0/F0", "pointTensorField",
+                 "dimensions [0 0 0 0 0 0 0];\n"
+                 f"internalField uniform ({value});\nboundaryField {{}}")
+    for case in own, shared:
+        case.run() if ranks == 1 else case.runParallel(ranks)
+    parts = (".",) if ranks == 1 else ("processor0", "processor1")
+    assert differing(own, shared, parts) == []
+    last = shared.path/parts[0]/timeFolders(shared.path/parts[0])[-1]
+    assert (last/"b1/F0").exists() and not (last/"b2/F0").exists()
+
+
+def test_bad_shared_start(tmp_path):
+    """It is named as it stands."""
+    case = collision(tmp_path/"case")
+    case.write("0/pointD", "pointVectorField",
+               "dimensions [0 0 0 0 0 0 0];\n"
+               "internalField uniform (0 0 0);\nboundaryField {}")
+    message = refused(case)
+    assert "0/pointD" in message and "dimensions" in message
+
+
 def test_restart(tmp_path):
     """What is written belongs to each region; a run goes on from that."""
     whole = collision(tmp_path/"whole")

@@ -3,8 +3,9 @@
 import numpy as np
 import pytest
 
-from caseTools import DEFAULT, checked, execute
-from smallCases import Body, SmallCase, condition, distorted, largest, polar
+from caseTools import DEFAULT, Case, checked, execute
+from smallCases import (FLOOR, Body, SmallCase, condition, coulomb, distorted,
+                        largest, polar)
 
 HELD = condition("fixedVelocity", velocity=(0, 0, 0))
 MIRRORS = {"left": "symmetryPlane", "right": "symmetryPlane"}
@@ -120,6 +121,57 @@ def test_metal_that_has_flowed(tmp_path, figures):
                  / source.energies["body:strain"][at], 1, 0.03)
         f.equal("names the other region", "Region other: not in the other case"
                 in case.output, True)
+
+
+@pytest.mark.parametrize("dimensions", (2, 3))
+def test_on_two_ranks(tmp_path, figures, dimensions):
+    """A case that is decomposed gets what it gets before it is."""
+    def body(n, **fields):
+        return Body(cells=(n, n + 1, n - 1)[:dimensions], **fields)
+    source = make(tmp_path/"source", body(
+        5, velocity=lambda X: -2*X, displacement=lambda X: 0.1*np.sin(5*X)))
+    before = mapped(source, make(tmp_path/"before", body(7)))
+    before.decompose(2)
+    after = make(tmp_path/"after", body(7))
+    after.decompose(2)
+    after.output = checked(["mpirun", "-np", "2", "mapState", str(
+        source.path), "-parallel"], after.path)
+    with figures(f"mapState on two ranks, {dimensions}D") as f:
+        f.equal("says the same of the region", after.output.split(
+            "Region ")[1].split("\n")[0], before.output.split(
+            "Region ")[1].split("\n")[0])
+        for rank in range(2):
+            for name in "pointD", "pointU":
+                a, b = (Case(case/f"processor{rank}").field("0", "body", name)
+                        for case in (before, after))
+                f.atLeast(f"{name} of rank {rank}, largest", largest(a), 0.05)
+                f.atMost("difference", largest(a - b), 1e-15)
+
+
+def test_stuck(tmp_path, figures):
+    """A block that friction holds on a wall, its weight along it, hangs on
+    where it has come to rest: it is pulled back to where it began to stick,
+    and does not begin to stick anew."""
+    def block(n):
+        return Body(cells=(n, n), sides={
+            "left": "contact", "right": condition("traction",
+                                                  traction=(-0.05, 0, 0))})
+    wall = {"wall": {"side": ("body", "left"), "law": coulomb(0.5),
+                     "obstacle": {**FLOOR, "pointAndNormalDict": {
+                         "point": (0, 0, 0), "normal": (1, 0, 0)}}}}
+    weight = {"gravity": (0, -0.01, 0)}
+
+    source = make(tmp_path/"source", block(6), 40.0, interfaces=wall, **weight,
+                  control={"damping": {"body": {"coefficient": 1}}}).run()
+    case = mapped(source, make(tmp_path/"case", block(12), 4.0,
+                               interfaces=wall, **weight))
+    slide = case.at("contactSlide", "0")
+    with figures("mapState of a block that sticks") as f:
+        f.within("largest slide / of the other mesh", largest(slide)
+                 / largest(source.at("contactSlide")), 1, 1e-12)
+        case.run()
+        f.atMost("its change / itself", largest(
+            case.at("contactSlide") - slide)/largest(slide), 0.05)
 
 
 def bad(case, *arguments):

@@ -254,20 +254,31 @@ def test_ranks(tmp_path, figures):
                          abs(a - b).max()/abs(a).max(), 1e-10)
 
 
+def apart(own, one):
+    """Of the momentum at the end, by its change, of the largest strain energy
+    and of the energy at the end."""
+    end, end1 = (c.momentumOf("stiff")[-1] for c in (own, one))
+    return (np.linalg.norm(end - end1)
+            / np.linalg.norm(end1 - one.momentumOf("stiff")[0]),
+            1 - max(own.energies["soft:strain"])
+            / max(one.energies["soft:strain"]),
+            1 - own.totalEnergy[-1]/one.totalEnergy[-1])
+
+
 def test_oblique_impact_as_with_one_step(tmp_path, figures):
     """An oblique impact with friction, in two dimensions, at a tenth of the
-    speed of waves."""
-    p, strain, energy = [], [], []
+    speed of waves. What is apart falls with the cells, and with the step of
+    the soft block."""
+    differences = []
     for n in 10, 20, 40:
         one, own = (finished(block(tmp_path/f"{n}{is_}", is_, coulomb(0.3),
                                    cells=(n, n))) for is_ in (False, True))
-        e, e1 = own.energies, one.energies
-        start = e["total:kinetic"][0]
-        end, end1 = (c.momentumOf("stiff")[-1] for c in (own, one))
-        p.append(np.linalg.norm(end - end1)
-                 / np.linalg.norm(end1 - one.momentumOf("stiff")[0]))
-        strain.append(1 - max(e["soft:strain"])/max(e1["soft:strain"]))
-        energy.append(1 - own.totalEnergy[-1]/one.totalEnergy[-1])
+        differences.append(apart(own, one))
+    p, strain, energy = np.transpose(differences)
+    e = own.energies
+    start = e["total:kinetic"][0]
+    short = finished(block(tmp_path/"short", True, coulomb(0.3), cells=(40, 40),
+                           maxCo=0.3))
     with figures("blocks of 10 to 40 cells, own steps against one") as f:
         f.falling("difference of the momentum / its change", p)
         f.atMost("on the finest", p[-1], 0.01)
@@ -275,6 +286,9 @@ def test_oblique_impact_as_with_one_step(tmp_path, figures):
         f.atMost("on the finest", strain[-1], 0.03)
         f.falling("energy at the end, less by", energy)
         f.atMost("on the finest", energy[-1], 0.03)
+        for what, is_ in zip(("momentum", "strain energy", "energy"),
+                             apart(short, one)):
+            f.atMost(f"{what}, with a third of the step", abs(is_), 0.01)
         f.atMost("balance at the end", abs(e["total:balance"][-1])/start, 2e-3)
 
 

@@ -12,11 +12,11 @@ Description
 
     Of each region that both cases have, as far as the other has them: pointU,
     with the boundary conditions of this case, pointD, F0, CpInv (with
-    determinant 1 again), epsilonPEq and pointT. They go from point to point
-    (pointMapping) in the reference configuration, that of the meshes as they
-    were made. The momentum, F, and what contact remembers are not mapped: the
-    solver makes the first two anew, and contact begins anew. Regions that only
-    this case has begin as they would.
+    determinant 1 again), epsilonPEq, pointT, and contactSlide, which is what
+    friction remembers. They go from point to point (pointMapping) in the
+    reference configuration, that of the meshes as they were made. The solver
+    makes momentum and F anew. Regions that only this case has begin as they
+    would.
 
 Usage
     \b mapState <case> [-sourceTime <time>]
@@ -27,8 +27,8 @@ Usage
         -sourceTime  | its time                                 | its last one
     \endtable
 
-    Writes the fields to the time that controlDict starts from. Serial: before
-    decomposePar.
+    Writes the fields to the time that controlDict starts from. This case may
+    be decomposed (-parallel); each rank reads all of the other one.
 
     Throws FatalIOError if the other case has none of the regions or no pointU
     at that time, and for points that are not near its mesh.
@@ -47,6 +47,7 @@ SourceFiles
 #include "regionFiles.H"
 #include "systemChecks.H"
 #include "dictionaryCheck.H"
+#include "syncTools.H"
 
 using namespace Foam;
 
@@ -67,7 +68,46 @@ void normalise(const word& name, Field<symmTensor>& values)
 }
 
 
-//- The values of a point field of the other mesh, in its own file
+//- Each rank by itself reads the mesh and the fields of the other case, and
+//  searches them
+class alone
+{
+    const bool together_;
+
+public:
+
+    alone()
+    :
+        together_(UPstream::parRun())
+    {
+        UPstream::parRun() = false;
+    }
+
+    ~alone() { UPstream::parRun() = together_; }
+};
+
+
+//- How many points of a mesh there are, and how many of them are outside, over
+//  all processors
+labelPair counts(const polyMesh& mesh, const boolList& outside)
+{
+    const bitSet masters(syncTools::getMasterPoints(mesh));
+    labelPair n(0, 0);
+    for (const label i : masters)
+    {
+        ++n.first();
+        if (outside[i]) ++n.second();
+    }
+    return labelPair
+    (
+        returnReduce(n.first(), sumOp<label>()),
+        returnReduce(n.second(), sumOp<label>())
+    );
+}
+
+
+//- The values of a point field of the other mesh, in its own file or in that of
+//  the case
 template<class Type>
 bool readValues(const word& name, const polyMesh& mesh, Field<Type>& values)
 {
@@ -78,10 +118,17 @@ bool readValues(const word& name, const polyMesh& mesh, Field<Type>& values)
         name, mesh.time().timeName(), mesh,
         IOobject::MUST_READ, IOobject::NO_WRITE, false
     );
-    if (!dictionaryCheck::isThere<pointFieldType>(io)) return false;
+    const bool own = dictionaryCheck::isThere<pointFieldType>(io);
+    const fileName shared(regionFiles::sharedField(name, mesh));
+    if (!own && shared.empty()) return false;
 
     // Boundary conditions of the other case are no matter of ours
-    const localIOdictionary dict(io, pointFieldType::typeName);
+    const dictionary dict
+    (
+        own
+      ? dictionary(localIOdictionary(io, pointFieldType::typeName))
+      : regionFiles::readShared(shared)
+    );
     values = Field<Type>("internalField", dict, mesh.nPoints());
     return true;
 }
@@ -99,7 +146,10 @@ word mapField
 )
 {
     Field<Type> values;
-    if (!readValues(name, source, values)) return word();
+    {
+        const alone here;
+        if (!readValues(name, source, values)) return word();
+    }
 
     GeometricField<Type, pointPatchField, pointMesh> field
     (
@@ -129,7 +179,6 @@ int main(int argc, char *argv[])
         "Gives the case the state of another case of the same bodies, on any "
         "mesh"
     );
-    argList::noParallel();
     argList::noFunctionObjects();
     argList::addArgument("case");
     argList::addOption
@@ -164,8 +213,8 @@ int main(int argc, char *argv[])
     }
     sourceTime.setTime(times[timei], timei);
 
-    const wordList names(systemChecks::regionNames(runTime));
     const wordList sourceNames(systemChecks::regionNames(sourceTime));
+    const wordList names(systemChecks::regionNames(runTime));
     label nMapped = 0;
     for (const word& name : names)
     {
@@ -179,6 +228,7 @@ int main(int argc, char *argv[])
         (
             IOobject(name, runTime.timeName(), runTime, IOobject::MUST_READ)
         );
+        autoPtr<alone> here(new alone());
         const polyMesh source
         (
             IOobject
@@ -196,7 +246,9 @@ int main(int argc, char *argv[])
         );
 
         vectorField velocity;
-        if (!readValues("pointU", source, velocity))
+        const bool there = readValues("pointU", source, velocity);
+        here.reset(nullptr);
+        if (!there)
         {
             FatalFileErrorInFunction(sourceFile)
                 << "There is no pointU" << exit(FatalIOError);
@@ -230,19 +282,23 @@ int main(int argc, char *argv[])
                 map(tensor(Zero), "F0", dimless),
                 map(symmTensor(Zero), "CpInv", dimless),
                 map(scalar(0), "epsilonPEq", dimless),
-                map(scalar(0), "pointT", dimTemperature)
+                map(scalar(0), "pointT", dimTemperature),
+                map(vector(Zero), "contactSlide", dimLength)
             }
         )
         {
             if (field.size()) done.append(field);
         }
+        const labelPair n(counts(target, mapping.outside()));
+        const scalar furthest =
+            returnReduce(mapping.furthest(), maxOp<scalar>());
         Info<< "Region " << name << ": "
             << dictionaryCheck::listed(done).c_str() << " from "
-            << source.nPoints() << " to " << target.nPoints() << " points";
-        if (mapping.nOutside())
+            << source.nPoints() << " to " << n.first() << " points";
+        if (n.second())
         {
-            Info<< ", " << mapping.nOutside() << " of them outside, by up to "
-                << mapping.furthest() << " m";
+            Info<< ", " << n.second() << " of them outside, by up to "
+                << furthest << " m";
         }
         Info<< nl;
     }

@@ -54,7 +54,8 @@ Foam::pointMapping::pointMapping
 )
 :
     points_(target.size()),
-    weights_(target.size())
+    weights_(target.size()),
+    outside_(target.size(), false)
 {
     const meshSearch search(source);
     const pointField& points = source.points();
@@ -107,7 +108,7 @@ Foam::pointMapping::pointMapping
                 << exit(FatalIOError);
         }
         // But for round-off
-        if (off > 1e-9*length) ++nOutside_;
+        outside_[i] = off > 1e-9*length;
         furthest_ = max(furthest_, off);
         weights_[i] = linearWeights(points, cell, target[i]);
     }

@@ -124,17 +124,35 @@ Foam::dictionary Foam::regionFiles::schemes(const polyMesh& mesh)
 
 Foam::fileName Foam::regionFiles::velocityFile(const polyMesh& mesh)
 {
-    const Time& runTime = mesh.time();
-    IOobject own(input("pointU", runTime.timeName(), mesh));
-    const fileName shared
-    (
-        runTime.globalPath()/runTime.timeName()/own.name()
-    );
+    IOobject own(input("pointU", mesh.time().timeName(), mesh));
+    const fileName shared(sharedField(own.name(), mesh));
     return
-        dictionaryCheck::isThere<pointVectorField>(own)
-     || isCase(mesh) || !fileHandler().isFile(shared)
+        shared.empty() || dictionaryCheck::isThere<pointVectorField>(own)
       ? own.objectPath()
       : shared;
+}
+
+
+Foam::fileName Foam::regionFiles::sharedField
+(
+    const word& name,
+    const polyMesh& mesh
+)
+{
+    const Time& runTime = mesh.time();
+    const fileName file(runTime.globalPath()/runTime.timeName()/name);
+    return
+        isCase(mesh) || !fileHandler().isFile(file) ? fileName() : file;
+}
+
+
+Foam::dictionary Foam::regionFiles::readShared(const fileName& file)
+{
+    autoPtr<ISstream> is(fileHandler().NewIFstream(file));
+    dictionary field(is());
+    field.name() = file;
+    field.remove("FoamFile");
+    return field;
 }
 
 
@@ -148,12 +166,8 @@ Foam::dictionary Foam::regionFiles::velocity(const polyMesh& mesh)
         return localIOdictionary(own, pointVectorField::typeName);
     }
 
-    autoPtr<ISstream> is(fileHandler().NewIFstream(shared));
-    dictionary field(is());
-    field.name() = shared;
-    field.remove("FoamFile");
-
     // It knows nothing of the boundaries between processors
+    dictionary field(readShared(shared));
     dictionary& patches = field.subDict("boundaryField");
     for (const polyPatch& pp : mesh.boundaryMesh())
     {

@@ -23,10 +23,11 @@ Foam::autoPtr
 Foam::solidBody::readIfPresent
 (
     const word& name,
-    const dimensionSet& dims
+    const dimensionSet& dims,
+    fileName* from
 ) const
 {
-    typedef GeometricField<Type, pointPatchField, pointMesh> Field;
+    typedef GeometricField<Type, pointPatchField, pointMesh> pointFieldType;
 
     IOobject io
     (
@@ -34,27 +35,54 @@ Foam::solidBody::readIfPresent
         IOobject::MUST_READ, IOobject::NO_WRITE, false
     );
 
-    autoPtr<Field> field;
-    if (dictionaryCheck::isThere<Field>(io))
+    autoPtr<pointFieldType> field;
+    fileName file(io.objectPath());
+    if (dictionaryCheck::isThere<pointFieldType>(io))
     {
-        field.reset(new Field(io, pointMesh::New(mesh_)));
+        field.reset(new pointFieldType(io, pointMesh::New(mesh_)));
+    }
+    else
+    {
+        file = regionFiles::sharedField(name, mesh_);
+        if (file.empty()) return field;
 
-        if (field->dimensions() != dims)
+        const dictionary dict(regionFiles::readShared(file));
+        field.reset
+        (
+            new pointFieldType
+            (
+                IOobject
+                (
+                    name, time_.timeName(), mesh_,
+                    IOobject::NO_READ, IOobject::NO_WRITE, false
+                ),
+                pointMesh::New(mesh_),
+                dimensioned<Type>
+                (
+                    name, dict.get<dimensionSet>("dimensions"), Zero
+                )
+            )
+        );
+        field->primitiveFieldRef() =
+            Field<Type>("internalField", dict, mesh_.nPoints());
+    }
+    if (from) *from = file;
+
+    if (field->dimensions() != dims)
+    {
+        FatalFileErrorInFunction(file)
+            << "Keyword 'dimensions' is " << field->dimensions()
+            << ": it must be " << dims << exit(FatalIOError);
+    }
+    for (const Type& value : field->primitiveField())
+    {
+        for (direction c = 0; c < pTraits<Type>::nComponents; ++c)
         {
-            FatalFileErrorInFunction(io.objectPath())
-                << "Keyword 'dimensions' is " << field->dimensions()
-                << ": it must be " << dims << exit(FatalIOError);
-        }
-        for (const Type& value : field->primitiveField())
-        {
-            for (direction c = 0; c < pTraits<Type>::nComponents; ++c)
+            if (!std::isfinite(component(value, c)))
             {
-                if (!std::isfinite(component(value, c)))
-                {
-                    FatalFileErrorInFunction(io.objectPath())
-                        << "Keyword 'internalField': a value is not finite"
-                        << exit(FatalIOError);
-                }
+                FatalFileErrorInFunction(file)
+                    << "Keyword 'internalField': a value is not finite"
+                    << exit(FatalIOError);
             }
         }
     }
@@ -118,10 +146,19 @@ Foam::initialStretch Foam::solidBody::readInitialStretch
     const materialModel& law
 ) const
 {
-    const auto field = readIfPresent<tensor>("F0", dimless);
+    fileName file;
+    const auto field = readIfPresent<tensor>("F0", dimless, &file);
     if (!field.valid()) return initialStretch();
 
-    const fileName file(field->objectPath());
+    // That of the case is for the regions that can have it
+    if
+    (
+        file == regionFiles::sharedField("F0", mesh_)
+     && !law.takesInitialStretch()
+    )
+    {
+        return initialStretch();
+    }
     if (options_.scheme != schemeType::variational)
     {
         FatalFileErrorInFunction(file)

@@ -164,6 +164,9 @@ void Foam::solidBody::accountReactions()
 
 Foam::labelList Foam::solidBody::reactingPatches() const
 {
+    // What holds a rigid region acts on it as a whole
+    if (rigid_.valid()) return labelList();
+
     labelHashSet patches(mirrorPatches_);
     patches.insert(held_.patches());
     return patches.sortedToc();

@@ -204,6 +204,12 @@ Foam::functionObjects::contactForces::contactForces
         if (Pstream::master())
         {
             OFstream& os = *file;
+            if (filter_.valid())
+            {
+                os  << "# filteredF: behind a causal low-pass filter, cut-off "
+                    << filter_->frequency() << " Hz, poles "
+                    << filter_->nPoles() << endl;
+            }
             os  << "# Time[s]" << (contact.many() ? " minus plus" : "");
             const Pair<string> sides(contact.sideNames());
             for (const string* side : {&sides.first(), &sides.second()})

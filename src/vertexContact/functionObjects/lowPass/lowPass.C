@@ -19,6 +19,12 @@ Foam::lowPass::lowPass(const scalar frequency, const label nPoles)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::scalar Foam::lowPass::frequency() const
+{
+    return omega_/constant::mathematical::twoPi;
+}
+
+
 void Foam::lowPass::advance
 (
     state& s,

@@ -125,8 +125,8 @@ Foam::functionObjects::reactionForces::reactionForces
     {
         FatalIOErrorInFunction(dict)
             << "Function object '" << name << "' of type '" << type()
-            << "': no patch holds nodes. Valid types in pointU: "
-            << "(fixedDisplacement fixedVelocity slip), and mirrors"
+            << "': no patch holds nodes of a region that deforms. Valid types "
+            << "in pointU: (fixedDisplacement fixedVelocity slip), and mirrors"
             << exit(FatalIOError);
     }
 
