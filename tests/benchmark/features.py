@@ -224,6 +224,9 @@ class Measured:
 
 def main():
     lines = []
+    commit = subprocess.run(["git", "describe", "--always", "--dirty"],
+                            cwd=root, capture_output=True,
+                            text=True).stdout.strip() or "no repository"
     with tempfile.TemporaryDirectory() as folder:
         for i, (group, what, make, off, on) in enumerate(PAIRS):
             cases = [Measured(make(Path(folder)/f"{i}{name}", **arguments))
@@ -240,9 +243,6 @@ def main():
                 f"{np.median(ratios):.2f} | "
                 f"{with_.bytes/without.bytes:.2f} |")
             print(lines[-1], flush=True)
-    commit = subprocess.run(["git", "describe", "--always", "--dirty"],
-                            cwd=root, capture_output=True,
-                            text=True).stdout.strip() or "no repository"
     (here/"features.md").write_text(f"""# What each feature costs
 
 Written by `tests/benchmark/features.py`: blocks of 24 x 24 x 24 hexahedra (two of 20 x 20 x 20 for contact), neo-Hookean,
