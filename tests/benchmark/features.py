@@ -145,7 +145,8 @@ PAIRS = (
      {**CELLS, "sides": {"left": {**HELD["left"], "components": "(x)"}}}),
     ("motion", "a side held along (1 1 0) against all", block,
      {**CELLS, "sides": HELD},
-     {**CELLS, "sides": {"left": {**HELD["left"], "direction": (1, 1, 0)}}}),
+     {**CELLS, "sides": {"left": condition(
+         "fixedVelocity", velocity=0, direction=(1, 1, 0))}}),
     ("energies", "solidEnergies each step against none", block,
      CELLS, {**CELLS, "functions": True}),
     ("energies", "maxEnergyRise against none", block,

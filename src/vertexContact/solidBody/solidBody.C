@@ -506,10 +506,9 @@ Foam::vector Foam::solidBody::currentArea
     }
     else if (d == 2)
     {
-        // The in-plane cofactor is a permutation of F
-        const scalar* F = data_.state.F.cdata() + 4*node;
-        area[dir[0]] = F[3]*N[0] - F[2]*N[1];
-        area[dir[1]] = F[0]*N[1] - F[1]*N[0];
+        scalar c[2];
+        planeArea(data_.state.F.cdata() + 4*node, N[0], N[1], c);
+        for (label i = 0; i < 2; ++i) area[dir[i]] = c[i];
     }
     else
     {
@@ -588,9 +587,29 @@ void Foam::solidBody::releaseMeshTables()
 
 void Foam::solidBody::findCorners(const label patchi)
 {
-    data_.variational
-  ? variational_->corners(data_, corners_[patchi])
-  : kernel_->corners(data_, corners_[patchi]);
+    cornerStates& c = corners_[patchi];
+    const label d = dual_.nDim();
+    const FixedList<label, 3>& dir = dual_.directions();
+    forAll(c.geometry.cornerNode, k)
+    {
+        const label a = c.geometry.cornerNode[k];
+        const scalar* N = c.geometry.cornerNormal.cdata() + d*k;
+        const scalar* W = data_.W.cdata() + a*data_.strideW;
+        const scalar* P = W + data_.offsetP();
+
+        const vector area(currentArea(a, N));
+        c.stretch[k] = mag(area);
+        c.n[k] = area/c.stretch[k];
+        for (label i = 0; i < d; ++i)
+        {
+            scalar PN = 0;
+            for (label j = 0; j < d; ++j) PN += P[j*d + i]*N[j];
+            c.v[k][dir[i]] = W[i];
+            c.t[k][dir[i]] = PN;
+        }
+        if (data_.waveFactor.size()) c.waveFactor[k] = data_.waveFactor[a];
+        c.force[k] = vector::zero;
+    }
 }
 
 

@@ -220,9 +220,8 @@ void variationalKernelTemplate<D, finite>::fluxLoop
             smallerM = of[7];
             if constexpr (finite)
             {
-                // The in-plane cofactor is a permutation of F
-                c[0] = 0.5*(of[3]*laneAt(C, 0) - of[2]*laneAt(C, 1));
-                c[1] = 0.5*(of[0]*laneAt(C, 1) - of[1]*laneAt(C, 0));
+                planeArea(of, laneAt(C, 0), laneAt(C, 1), c);
+                for (int i = 0; i < D; ++i) c[i] *= 0.5;
             }
             inOrder();
             lanesOf(of, [&](const int l)
@@ -501,8 +500,8 @@ void variationalKernelTemplate<D, finite>::sumWaves
                     rowAt<4>(F + index(ends[2*l])*nP)
                   + rowAt<4>(F + index(ends[2*l + 1])*nP);
             });
-            c[0] = 0.5*(of[3]*laneAt(C, 0) - of[2]*laneAt(C, 1));
-            c[1] = 0.5*(of[0]*laneAt(C, 1) - of[1]*laneAt(C, 0));
+            planeArea(of, laneAt(C, 0), laneAt(C, 1), c);
+            for (int i = 0; i < D; ++i) c[i] *= 0.5;
         }
         for (int i = 0; i < D; ++i) cc += c[i]*c[i];
         const lanes larger = finite && D > 1 ? max(cc, CC) : cc;

@@ -18,46 +18,6 @@
 namespace Foam
 {
 
-template<int D, bool finite>
-inline SolidVector<D> variationalKernelTemplate<D, finite>::waveArea
-(
-    const conservedState& s,
-    const label a,
-    const label b,
-    const scalar* C
-)
-{
-    SolidVector<D> c;
-    if constexpr (!finite || D == 1)
-    {
-        // In uniaxial strain the cofactor is 1
-        for (int i = 0; i < D; ++i) c[i] = C[i];
-    }
-    else if constexpr (D == 2)
-    {
-        // The in-plane cofactor is a permutation of F
-        const scalar* Fa = s.F.cdata() + 4*a;
-        const scalar* Fb = s.F.cdata() + 4*b;
-        c[0] = 0.5*((Fa[3] + Fb[3])*C[0] - (Fa[2] + Fb[2])*C[1]);
-        c[1] = 0.5*((Fa[0] + Fb[0])*C[1] - (Fa[1] + Fb[1])*C[0]);
-    }
-    else
-    {
-        const scalar* Ha = s.H.cdata() + 9*a;
-        const scalar* Hb = s.H.cdata() + 9*b;
-        for (int i = 0; i < 3; ++i)
-        {
-            c[i] = 0;
-            for (int j = 0; j < 3; ++j)
-            {
-                c[i] += 0.5*(Ha[3*j + i] + Hb[3*j + i])*C[j];
-            }
-        }
-    }
-    return c;
-}
-
-
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 template<int D, bool finite>
@@ -274,39 +234,6 @@ void variationalKernelTemplate<D, finite>::addTractions
             }
             for (int i = 0; i < D; ++i) force[a*D + i] += sum[dir[i]]/V[a];
         }
-    }
-}
-
-
-template<int D, bool finite>
-void variationalKernelTemplate<D, finite>::corners
-(
-    const vertexData& d,
-    cornerStates& c
-) const
-{
-    const dualPatch& g = c.geometry;
-    const FixedList<label, 3>& dir = d.dual.directions();
-    const scalar* P = d.W.cdata() + d.offsetP();
-
-    for (label k = 0; k < g.nCorners(); ++k)
-    {
-        const label a = g.cornerNode[k];
-        const scalar* N = g.cornerNormal.cdata() + D*k;
-        const SolidVector<D> h = waveArea(d.state, a, a, N);
-        const scalar magH = std::sqrt(dot(h, h));
-
-        for (int i = 0; i < D; ++i)
-        {
-            scalar PN = 0;
-            for (int j = 0; j < D; ++j) PN += P[a*d.strideW + j*D + i]*N[j];
-            c.v[k][dir[i]] = d.W[a*d.strideW + i];
-            c.t[k][dir[i]] = PN;
-            c.n[k][dir[i]] = h[i]/magH;
-        }
-        c.stretch[k] = magH;
-        if (d.waveFactor.size()) c.waveFactor[k] = d.waveFactor[a];
-        c.force[k] = vector::zero;
     }
 }
 

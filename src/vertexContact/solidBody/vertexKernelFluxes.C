@@ -13,6 +13,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "vertexKernelTemplate.H"
+#include "acousticDissipation.H"
 #include "edgeRows.H"
 #include "vectorLimiter.H"
 
@@ -239,13 +240,9 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
         }
         else if constexpr (finite && D == 2)
         {
-            // The in-plane cofactor is a permutation of F
-            const auto twiceF = [&](const int k)
-            {
-                return of.lane(atDeformed + k);
-            };
-            c[0] = 0.5*(twiceF(3)*area[0] - twiceF(2)*area[1]);
-            c[1] = 0.5*(twiceF(0)*area[1] - twiceF(1)*area[0]);
+            lanes F[4];
+            for (int k = 0; k < 4; ++k) F[k] = 0.5*of.lane(atDeformed + k);
+            planeArea(F, area[0], area[1], c.v);
         }
         else
         {
@@ -361,13 +358,13 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
 
         // Traction, contact-stick condition (34a): average of the stress and
         // acoustic dissipation of the velocity jump, times area
-        const lanes jumpN = (halfZp - halfZs)*dot(jump, n);
         vectorLanes dissipative;
-        for (int i = 0; i < D; ++i)
-        {
-            dissipative[i] = waveC*(halfZs*jump[i] + jumpN*n[i]);
-            if constexpr (full) dissipative[i] += tCorrection[i];
-        }
+        acousticDissipation<D, lanes>
+        (
+            jump.v, n.v, uniform<lanes>(1), waveC, halfZp, halfZs,
+            dissipative.v
+        );
+        for (int i = 0; full && i < D; ++i) dissipative[i] += tCorrection[i];
 
         // Dissipation of J (63c), (64)
         const lanes fluxJ =

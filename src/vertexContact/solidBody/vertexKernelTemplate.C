@@ -37,48 +37,6 @@ inline SolidTensor<D> vertexKernelTemplate<D, nSJ, R, finite>::rateF
 }
 
 
-template<int D, int nSJ, reconstructionType R, bool finite>
-inline SolidVector<D> vertexKernelTemplate<D, nSJ, R, finite>::waveArea
-(
-    const conservedState& s,
-    const label a,
-    const label b,
-    const SolidVector<D>& C
-)
-{
-    if constexpr (!finite || D == 1)
-    {
-        // In uniaxial strain H_11 = 1
-        return C;
-    }
-    else if constexpr (D == 2)
-    {
-        // The in-plane cofactor is a permutation of F
-        const scalar* Fa = s.F.cdata() + 4*a;
-        const scalar* Fb = s.F.cdata() + 4*b;
-        SolidVector<D> c;
-        c[0] = 0.5*((Fa[3] + Fb[3])*C[0] - (Fa[2] + Fb[2])*C[1]);
-        c[1] = 0.5*((Fa[0] + Fb[0])*C[1] - (Fa[1] + Fb[1])*C[0]);
-        return c;
-    }
-    else
-    {
-        const scalar* Ha = s.H.cdata() + 9*a;
-        const scalar* Hb = s.H.cdata() + 9*b;
-        SolidVector<D> c;
-        for (int i = 0; i < 3; ++i)
-        {
-            c[i] = 0;
-            for (int j = 0; j < 3; ++j)
-            {
-                c[i] += 0.5*(Ha[3*j + i] + Hb[3*j + i])*C[j];
-            }
-        }
-        return c;
-    }
-}
-
-
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 template<int D, int nSJ, reconstructionType R, bool finite>
@@ -106,42 +64,6 @@ void vertexKernelTemplate<D, nSJ, R, finite>::velocities(vertexData& d) const
                 for (int k = 0; k < 9; ++k) H[9*a + placeH(k)] = G.in[k];
             }
         }
-    }
-}
-
-
-template<int D, int nSJ, reconstructionType R, bool finite>
-void vertexKernelTemplate<D, nSJ, R, finite>::corners
-(
-    const vertexData& d,
-    cornerStates& c
-) const
-{
-    const dualPatch& g = c.geometry;
-    const FixedList<label, 3>& dir = d.dual.directions();
-    const scalar* W = d.W.cdata();
-
-    for (label k = 0; k < g.nCorners(); ++k)
-    {
-        const label a = g.cornerNode[k];
-        const SolidVector<D> N =
-            SolidVector<D>::load(g.cornerNormal.cdata() + D*k);
-        const SolidVector<D> h = waveArea(d.state, a, a, N);
-        const scalar magH = std::sqrt(dot(h, h));
-
-        vector& v = c.v[k];
-        vector& t = c.t[k];
-        vector& n = c.n[k];
-        for (int i = 0; i < D; ++i)
-        {
-            scalar PN = 0;
-            for (int j = 0; j < D; ++j) PN += W[a*sW + atP_(i, j)]*N[j];
-            v[dir[i]] = W[a*sW + i];
-            t[dir[i]] = PN;
-            n[dir[i]] = h[i]/magH;
-        }
-        c.stretch[k] = magH;
-        if (d.waveFactor.size()) c.waveFactor[k] = d.waveFactor[a];
     }
 }
 

@@ -149,9 +149,10 @@ struct flowState
         );
         shrink -= threeMu*increment/trial.q;
 
-        // The mean stress of the increment, also where it is above the yield
-        // stress at rest
-        work = increment*0.5*(before + shrink*trial.q);
+        // With the mean of the stresses that flow, at this rate, before and
+        // after the increment
+        const scalar faster = yield.rateFactor(increment, s.sinceCommit);
+        work = increment*0.5*(faster*before + shrink*trial.q);
     }
 };
 

@@ -185,10 +185,7 @@ Foam::scalar Foam::hardening::JohnsonCook::increment
 
     const auto excess = [&](const scalar d)
     {
-        const scalar rate = C > 0 ? d/(dt*rate0) : 1;
-        return
-            q - threeMu*d
-          - yield(strain + d)*(1 + C*std::log(max(scalar(1), rate)));
+        return q - threeMu*d - yield(strain + d)*rateFactor(d, dt);
     };
 
     // Falls with d, from positive at 0 to negative at q/(3 mu): regula falsi
