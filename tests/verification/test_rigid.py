@@ -4,41 +4,182 @@ that they touch."""
 import numpy as np
 import pytest
 
+import readResults
 from caseTools import DEFAULT, execute
 from contactScenes import rigid, spinning, toolAndBlock
-from smallCases import (FLOOR, RUBBER, Body, SmallCase, coulomb, interface,
-                        largest, table)
+from smallCases import (EACH_STEP, FLOOR, RUBBER, Body, SmallCase, coulomb,
+                        interface, largest, table)
 
 # The run of one rigid region has no step of its own
 FIXED = {"adjustTimeStep": "no"}
 GRAVITY = 9.81
 
 
+def lifted(R):
+    """Displacement that turns a body about the origin."""
+    return lambda X: X @ (R - np.eye(3)).T
+
+
+def about(axis, angle):
+    """Rotation about an axis of space."""
+    c, s = np.cos(angle), np.sin(angle)
+    R = np.array(((c, -s, 0), (s, c, 0), (0, 0, 1)))
+    order = {"x": (2, 0, 1), "y": (1, 2, 0), "z": (0, 1, 2)}[axis]
+    return R[np.ix_(order, order)]
+
+
+# A rod that hangs from the origin
+ROD = (0.1, 1.0, 0.1)
+ROD_INERTIA = (ROD[0]**2 + ROD[1]**2)/12        # by mass, about its centre
+PERIOD = 2*np.pi*np.sqrt((ROD_INERTIA + ROD[1]**2/4)/(GRAVITY*ROD[1]/2))
+HANGING = {"size": ROD, "start": (-ROD[0]/2, -ROD[1], -ROD[2]/2)}
+
+
+def pendulum(folder, material, periods, steps=2000, **more):
+    body = Body(cells=(2, 8, 2), **more, material={
+        "type": "rigid", "pivot": (0, 0, 0), **material})
+    return SmallCase(folder, body, periods*PERIOD, gravity=(0, -GRAVITY, 0),
+                     control={**FIXED, "deltaT": PERIOD/steps},
+                     preset=DEFAULT).run()
+
+
 def test_compound_pendulum(tmp_path, figures):
     """Period of a rod on a pivot, small angles: 2 pi sqrt(I/(m g d))."""
-    length, width, angle = 1.0, 0.1, 1e-3
-    inertia = (length**2 + width**2)/12 + (length/2)**2
-    period = 2*np.pi*np.sqrt(inertia/(GRAVITY*length/2))
-
-    def tilted(X):
-        c, s = np.cos(angle), np.sin(angle)
-        return np.stack((c*X[:, 0] - s*X[:, 1] - X[:, 0],
-                         s*X[:, 0] + c*X[:, 1] - X[:, 1], 0*X[:, 2]), axis=1)
-
-    body = Body(cells=(2, 8, 2), start=(-width/2, -length, -width/2),
-                size=(width, length, width), displacement=tilted,
-                material=rigid(pivot=(0, 0, 0), freeRotation="(z)"))
-    case = SmallCase(tmp_path, body, 2.2*period, gravity=(0, -GRAVITY, 0),
-                     control={**FIXED, "deltaT": period/2000},
-                     preset=DEFAULT).run()
+    case = pendulum(tmp_path, {"rho": 1, "freeRotation": "(z)"}, 2.2,
+                    displacement=lifted(about("z", 1e-3)), **HANGING)
     L = case.momentum["body:Lz"]
     t = case.momentum["Time"]
     up = np.flatnonzero((L[:-1] < 0) & (L[1:] >= 0))
     zero = t[up] - L[up]*(t[up + 1] - t[up])/(L[up + 1] - L[up])
     with figures("compound pendulum") as f:
-        f.within("period / theory", np.diff(zero).mean()/period, 1, 1e-5)
+        f.within("period / theory", np.diff(zero).mean()/PERIOD, 1, 1e-5)
         f.atMost("energy balance", largest(case.energies["total:balance"])
                 / largest(case.energies["total:kinetic"]), 1e-4)
+
+
+@pytest.mark.parametrize("motion", ("in a plane", "in space"))
+def test_given_mass_is_that_of_the_mesh(tmp_path, figures, motion):
+    """A pendulum whose mass, centre and inertia are given, on the mesh of a
+    brick elsewhere, swings as one that has them from its mesh and density; also
+    a rod that hangs aslant, whose inertia has all components, and that is
+    thrown around."""
+    rho = 3.0
+    mass = rho*np.prod(ROD)
+    R = np.eye(3)
+    free, motionOf = {"freeRotation": "(z)"}, {
+        "displacement": lifted(about("z", 1))}
+    if motion == "in space":
+        R = about("x", 0.4) @ about("z", -0.7) @ about("y", 0.3)
+        free, motionOf = {}, {"velocity": spinning((0, 0, 0), (2, 5, -3))}
+    square = np.array(ROD)**2/12
+    inertia = R @ np.diag(mass*(square.sum() - square)) @ R.T
+    given = {"mass": mass, "inertia": inertia[np.triu_indices(3)],
+             "centreOfMass": R @ (0, -ROD[1]/2, 0)}
+    cases = [pendulum(tmp_path/name, {**material, **free}, 1, 500, **motionOf,
+                      **mesh) for name, material, mesh in (
+        ("mesh", {"rho": rho}, {**HANGING, "moved": lambda X: X @ R.T}),
+        ("given", given, {
+            "size": (0.3, 0.2, 0.1), "start": (0.5, 0.1, 0.2)}))]
+    with figures(f"pendulum {motion}, mass given or from the mesh") as f:
+        a, b = (case.angularMomentumOf() for case in cases)
+        f.atMost("angular momentum, difference / largest",
+                 largest(a - b)/largest(a), 1e-12)
+        a, b = (case.momentumOf() for case in cases)
+        f.atMost("momentum, difference / largest",
+                 largest(a - b)/largest(a), 1e-12)
+        a, b = (case.energies["total:externalWork"] for case in cases)
+        f.atMost("work of gravity, difference / largest",
+                 largest(a - b)/largest(a), 1e-12)
+        f.atLeast("largest work / (mass g length)",
+                  largest(a)/(mass*GRAVITY*ROD[1]), 0.1)
+
+
+@pytest.mark.parametrize("grows", (False, True), ids=("constant", "grows"))
+@pytest.mark.parametrize("kind, axis", (
+    ("3D", "x"), ("3D", "y"), ("3D", "z"), ("axis", "x"), ("2D", "z")))
+def test_moment_about_a_principal_axis(tmp_path, figures, kind, axis, grows):
+    """A free brick under a moment about one of its axes: it turns by
+    M t^2/(2 I), which the leapfrog has exactly; under one that grows from zero
+    by M t^2/(6 I) (1 - 1/n^2), with n steps."""
+    size, rho, steps, time, angle = np.array((1, 0.5, 0.3)), 2.0, 40, 3.0, 2.5
+    cells = (2, 2) if kind == "2D" else (2, 1, 2)
+    if kind == "2D":
+        size[2] = 1
+    i = "xyz".index(axis)
+    across = np.delete(size, i)
+    mass = rho*np.prod(size)
+    inertia = mass*np.sum(across**2)/12
+    n = np.eye(3)[i]
+    M = angle*inertia/time**2*(6 if grows else 2)
+    moment = table((0, (0, 0, 0)), (time, M*n)) if grows else M*n
+    body = Body(cells=cells, size=tuple(size), start=-size/2, material=rigid(
+        rho=rho, moment=moment,
+        **({"freeRotation": f"({axis})"} if kind == "axis" else {})))
+    case = SmallCase(tmp_path, body, time, preset=DEFAULT,
+                     control={**FIXED, "deltaT": time/steps}).run()
+    turn = angle*(1 - 1/steps**2 if grows else 1)
+    D, e = case.at("pointD"), case.energies
+    kinetic = (M*time*(0.5 if grows else 1))**2/(2*inertia)
+    name = "growing moment" if grows else "moment"
+    with figures(f"{name} about {axis}, {kind}") as f:
+        f.atMost("displacement from that of the angle / size",
+                 largest(D - lifted(about(axis, turn))(case.X())), 1e-13)
+        f.within("kinetic energy / theory", e["total:kinetic"][-1]/kinetic, 1,
+                 1e-13)
+        # Of the last half of a step with the power at its end
+        f.within("work of the moment / kinetic energy",
+                 e["total:externalWork"][-1]/kinetic, 1, 1.01/steps**2)
+        f.atMost("momentum / (mass times speed of the corner)", largest(
+            case.momentumOf())/(mass*angle/time), 1e-14)
+
+
+def test_heavy_top(tmp_path, figures):
+    """A square top that spins on its tip, tilted by 30 degrees and with the
+    motion of steady precession: it goes on with it, at the rate that solves
+    I1 cos(tilt) W^2 - I3 spin W + m g d = 0. Its error and the nutation that
+    is left fall with the square of the step."""
+    width, thick, d, tilt, spin = 0.6, 0.1, 0.2, np.pi/6, 40.0
+    mass = width**2*thick
+    I3 = mass*width**2/6
+    I1 = mass*(width**2 + thick**2)/12 + mass*d**2
+    a, b, c = I1*np.cos(tilt), I3*spin, mass*GRAVITY*d
+    rate = 2*c/(b + np.sqrt(b**2 - 4*a*c))
+    period = 2*np.pi/rate
+    R = about("y", tilt)
+    up, axis = np.array((0, 0, 1)), R[:, 2]
+    omega = rate*up + (spin - rate*np.cos(tilt))*axis
+    body = Body(cells=(1, 1, 1), size=(width, width, thick),
+                start=(-width/2, -width/2, d - thick/2),
+                displacement=lifted(R), material=rigid(pivot=(0, 0, 0)),
+                velocity=lambda X: np.cross(omega, X @ R.T))
+    errors, nutations = [], []
+    for steps in 3000, 6000:
+        case = SmallCase(
+            tmp_path/f"{steps}", body, period, gravity=(0, 0, -GRAVITY),
+            preset=DEFAULT, control={
+                **FIXED, "deltaT": period/steps, "functions": {
+                    name: {"type": name, "libs": "(vertexContact)",
+                           **more, **EACH_STEP}
+                    for name, more in (
+                        ("solidEnergies", {}),
+                        ("solidAverages", {"fields": "(pointD)"}))}}).run()
+        means = readResults.table(case.path, "solidAverages", "averages.dat")
+        x = np.array([means[f"body:pointD.{k}"] for k in "xyz"]).T + (0, 0, d)
+        azimuth = np.unwrap(np.arctan2(x[:, 1], x[:, 0]))
+        errors.append(abs(azimuth[-1]/(2*np.pi) - 1))
+        nutations.append(largest(np.arccos(x[:, 2]/d) - tilt))
+    L, E = case.angularMomentumOf(), case.energies
+    with figures("heavy top in steady precession") as f:
+        f.atMost("azimuth after a period / theory - 1", errors[1], 1e-5)
+        f.within("ratio of two steps", errors[0]/errors[1], 4, 0.2)
+        f.atMost("change of the tilt", nutations[1], 1e-5)
+        f.within("ratio of two steps", nutations[0]/nutations[1], 4, 0.2)
+        f.atMost("angular momentum about the vertical, change / size",
+                 largest(L[:, 2] - L[0, 2])/L[0, 2], 1e-13)
+        f.atMost("distance of the centre from the tip, change / size",
+                 largest(np.linalg.norm(x, axis=1)/d - 1), 1e-13)
+        f.atMost("balance of the energy / kinetic", largest(
+            E["total:balance"])/E["total:kinetic"][0], 1e-6)
 
 
 def test_bounce_keeps_momenta(tmp_path, figures):
