@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from caseTools import (DEFAULT, Case, Scene, checked, contents,
-                       differingFiles, timeFolders)
-from collisions import SCENES as COLLISIONS, collision
+                       differingFiles, runAgain, timeFolders)
+from collisions import END, SCENES as COLLISIONS, collision
 
 SCENES = {
     "1D": Scene("dissimilar", elements=64, preset=DEFAULT,
@@ -52,31 +52,11 @@ def test_restart_of_collision(tmp_path, figures, name, ranks):
     """All files of the last time, bit by bit, after a restart in contact; in
     parallel those of each rank."""
     case = collision(tmp_path/"case", name, preset=DEFAULT)
-    run = ["vertexContactFoam"]
-    folders = ["."]
-    if ranks > 1:
-        case.decompose(ranks)
-        run = ["mpirun", "-np", str(ranks), *run, "-parallel"]
-        folders = [f"processor{i}" for i in range(ranks)]
-    checked(run, case.path)
-    assert case.contact("contact")["area"].max() > 0
-    times = timeFolders(case/folders[0])
-    expected = [contents(case/folder/times[-1]) for folder in folders]
-    energies = case.energies
-
-    # Continue from the middle of the contact
-    middle = times[len(times)//2]
-    area = case.contact("contact")["area"]
-    at = np.abs(case.contact("contact")["Time"] - float(middle)).argmin()
-    assert area[at] > 0
-    for folder in folders:
-        for time in times:
-            if float(time) > float(middle):
-                shutil.rmtree(case/folder/time)
-    checked(run, case.path)
-
-    found = [contents(case/folder/times[-1]) for folder in folders]
-    again = Case(case.path).energies
+    (expected, (contact, energies)), (found, (_, again)) = runAgain(
+        case, ranks, lambda case, _: (case.contact("contact"), case.energies))
+    middle = END/2
+    at = np.abs(contact["Time"] - middle).argmin()
+    assert contact["area"][at] > 0
     with figures(f"{name}, {ranks} ranks: restart at {middle} s") as f:
         f.equal("files that differ", differingFiles(expected, found), [])
         f.atMost("largest difference of the last energies / initial", max(

@@ -14,23 +14,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from caseTools import (DEFAULT, PRESET, Case, checked, timeFolders,
-                       timeLimit)
+from caseTools import (DEFAULT, PRESET, Case, checked, rankFolders, solver,
+                       timeFolders, timeLimit)
 from collisions import collision
 from smallCases import RUBBER, Body, SmallCase
 
-SOLVER = "vertexContactFoam"
 INTERVALS = 40
 NAME = "friction, nearestFace"
-
-
-def command(ranks):
-    return [SOLVER] if ranks == 1 else \
-        ["mpirun", "-np", str(ranks), SOLVER, "-parallel"]
-
-
-def folders(ranks):
-    return ["."] if ranks == 1 else [f"processor{i}" for i in range(ranks)]
 
 
 def contents(case, time, ranks=1):
@@ -41,7 +31,7 @@ def contents(case, time, ranks=1):
     if ranks > 1:
         others.add("solidSystem")
     return {str(file.relative_to(case.path)): file.read_bytes()
-            for folder in folders(ranks)
+            for folder in rankFolders(ranks)
             for file in (case/folder/time).rglob("*")
             if file.is_file() and file.name not in others}
 
@@ -68,7 +58,7 @@ class Running:
         self.log = case/"log"
         with open(self.log, "w") as out:
             self.process = subprocess.Popen(
-                command(ranks), cwd=case.path, stdin=subprocess.DEVNULL,
+                solver(ranks), cwd=case.path, stdin=subprocess.DEVNULL,
                 stdout=out, stderr=subprocess.STDOUT, start_new_session=True,
                 env={**os.environ, "PWD": str(case.path)}, preexec_fn=limit)
 
@@ -98,7 +88,7 @@ class Running:
 
     def reach(self, instant):
         """Wait until a time after this one is written."""
-        folder = self.case/folders(self.ranks)[-1]
+        folder = self.case/rankFolders(self.ranks)[-1]
         while self.process.poll() is None:
             if any(float(t) > instant for t in timeFolders(folder)):
                 return
@@ -118,7 +108,7 @@ def straight(tmp_path_factory):
                             ranks)
             shutil.copytree(case.path, case.path.parent/"pristine")
             begin = time.time()
-            checked(command(ranks), case.path)
+            checked(solver(ranks), case.path)
             made[name, ranks] = case, time.time() - begin
         return made[name, ranks]
     return get
@@ -134,7 +124,7 @@ def test_killed(straight, tmp_path, figures, name, ranks, kills):
     """At random instants, again and again until the end is reached, and from
     the start until there were enough."""
     whole, duration = straight(name, ranks)
-    last = timeFolders(whole/folders(ranks)[0])[-1]
+    last = timeFolders(whole/rankFolders(ranks)[0])[-1]
     expected = contents(whole, last, ranks)
     chance = random.Random(name)
     path = tmp_path/"killed"
@@ -200,12 +190,12 @@ def test_half_written(straight, tmp_path, figures, harm, ranks):
     """A time that one rank had not written to the end."""
     whole, _ = straight(NAME, ranks)
     case = copied(whole, tmp_path/"case", "case")
-    times = timeFolders(case/folders(ranks)[0])
+    times = timeFolders(case/rankFolders(ranks)[0])
     middle, last = times[INTERVALS//2], times[-1]
-    for folder in folders(ranks):
+    for folder in rankFolders(ranks):
         for t in times[INTERVALS//2 + 1:]:
             shutil.rmtree(case/folder/t)
-    harmed = case/folders(ranks)[-1]/middle
+    harmed = case/rankFolders(ranks)[-1]/middle
     harm(harmed)
     before = sorted(str(p.relative_to(harmed)) for p in harmed.rglob("*"))
     with Running(case, ranks) as run:
@@ -332,7 +322,7 @@ def test_signals(straight, tmp_path, figures, which, ends, ranks):
                 time.sleep(0.01)
             case.set("system/controlDict", {"stopAt": "nextWrite"})
         code, log = run.end()
-    folder = folders(ranks)[0]
+    folder = rankFolders(ranks)[0]
     odd = [t for t in timeFolders(case/folder)
            if abs(10*float(t) - round(10*float(t))) > 1e-6]
     if not odd and tmp_path.name != "again":
@@ -349,11 +339,11 @@ def test_signals(straight, tmp_path, figures, which, ends, ranks):
     # And goes on from there
     case.set("system/controlDict", {"stopAt": "endTime", "endTime":
              float(odd[0]) + 0.01})
-    for later in folders(ranks):
+    for later in rankFolders(ranks):
         for t in timeFolders(case/later):
             if float(t) > float(odd[0]):
                 shutil.rmtree(case/later/t)
-    checked(command(ranks), case.path)
+    checked(solver(ranks), case.path)
     assert (case/"postProcessing/solidEnergies"/odd[0]).exists()
 
 
@@ -388,8 +378,8 @@ def test_no_folder(straight, tmp_path, figures, ranks):
     """A time folder that cannot be made, on one rank."""
     whole, _ = straight(NAME, ranks)
     case = copied(whole, tmp_path/"case")
-    times = timeFolders(whole/folders(ranks)[0])
-    (case/folders(ranks)[-1]/times[3]).write_text("in the way")
+    times = timeFolders(whole/rankFolders(ranks)[0])
+    (case/rankFolders(ranks)[-1]/times[3]).write_text("in the way")
     with Running(case, ranks) as run:
         code, log = run.end(60)
     with figures(f"a file where a time folder belongs, {ranks} ranks") as f:
@@ -429,7 +419,7 @@ def test_short_step(straight, tmp_path, figures, ranks):
         f.equal("names the region", told[1] in ("below", "above"), True)
         f.within("time of the message [s]", float(told[2]), stop, 1e-5*stop)
         f.within("time written [s]",
-                 float(timeFolders(case/folders(ranks)[0])[-1]), stop,
+                 float(timeFolders(case/rankFolders(ranks)[0])[-1]), stop,
                  1e-5*stop)
 
 
@@ -461,7 +451,7 @@ def test_energy_rise(tmp_path, figures, ranks):
         f.within("time of the step [s]", float(told[1]), t[first],
                  1e-5*t[first])
         f.within("time written [s]", float(
-            timeFolders(cases[1]/folders(ranks)[0])[-1]), t[first - 1],
+            timeFolders(cases[1]/rankFolders(ranks)[0])[-1]), t[first - 1],
             1e-5*t[first])
 
 
@@ -490,7 +480,7 @@ def test_bad_state(tmp_path, figures, ranks, speed, kinematics):
     told = re.search(r"The state is not finite or has a Jacobian that is not "
                      r"positive: region body, node at \((\S+) (\S+) (\S+)\) "
                      r"\(reference\).*, in the step to time (\S+) s", log)
-    last = timeFolders(failing/folders(ranks)[0])[-1]
+    last = timeFolders(failing/rankFolders(ranks)[0])[-1]
     ending.set("system/controlDict", {
         "endTime": float(last), "writeInterval": float(last)})
     with Running(ending, ranks) as run:

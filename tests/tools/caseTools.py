@@ -45,6 +45,18 @@ def checked(command, folder, **environment):
     return done.stdout
 
 
+def solver(ranks=1):
+    """The command that runs a case, which has been decomposed for ranks."""
+    program = ["vertexContactFoam"]
+    return program if ranks == 1 else [
+        "mpirun", "-np", str(ranks), *program, "-parallel"]
+
+
+def rankFolders(ranks=1):
+    """Folders of a case that have its times."""
+    return ["."] if ranks == 1 else [f"processor{i}" for i in range(ranks)]
+
+
 def copyTutorials(destination):
     """A clean copy of tutorials/, without results."""
     made = shutil.ignore_patterns(
@@ -101,12 +113,16 @@ class Case:
         return self.path/name
 
     def set(self, file, entries):
-        """Change entries of a dictionary; keys of sub-dictionaries with
-        slashes, as in 'vertexCentred/cells'."""
+        """Change entries of a dictionary, or take those away that are None;
+        keys of sub-dictionaries with slashes, as in 'vertexCentred/cells'."""
         dictionary = FoamFile(self.path/file)
         with dictionary:
             for key, value in entries.items():
-                dictionary[tuple(key.split("/"))] = value
+                place = tuple(key.split("/"))
+                if value is None:
+                    del dictionary[place]
+                else:
+                    dictionary[place] = value
 
     def replace(self, file, pattern, by):
         """Replace a regular expression, which must be there."""
@@ -186,8 +202,7 @@ class Case:
     def runParallel(self, ranks, method="metis"):
         """Decompose, run, and put together again."""
         self.decompose(ranks, method)
-        checked(["mpirun", "-np", str(ranks), "vertexContactFoam",
-                 "-parallel"], self.path)
+        checked(solver(ranks), self.path)
         checked(["reconstructPar", "-allRegions", "-newTimes"], self.path)
         return self
 
@@ -308,6 +323,27 @@ class Runs:
 
     def result(self, scene):
         return self.start(scene).result()
+
+
+def runAgain(case, ranks=1, look=lambda case, output: None):
+    """Run a case, take away what it wrote after the middle one of its times,
+    and run it from there. Of each run: what it has in its last time, by rank,
+    and what a function makes of the case and of the output."""
+    if ranks > 1:
+        case.decompose(ranks)
+    folders = rankFolders(ranks)
+    results = []
+    for _ in range(2):
+        output = checked(solver(ranks), case.path)
+        times = timeFolders(case/folders[0])
+        results.append((
+            [contents(case/folder/times[-1]) for folder in folders],
+            look(Case(case.path), output)))
+        if len(results) == 1:
+            for folder in folders:
+                for time in times[(len(times) + 1)//2:]:
+                    shutil.rmtree(case/folder/time)
+    return results
 
 
 def meansAround(x, values, places, way):

@@ -7,6 +7,7 @@ from smallCases import RUBBER, Body, SmallCase, coulomb, interface
 COPPER = {"type": "HenckyVonMises", "rho": 1, "E": 1, "nu": 0.35,
           "tauY": 0.01, "Hardening": 0.05}
 INTERVALS = 4
+END = 1.2
 
 
 def blocks(pairing, cells, law="frictionless", material=RUBBER):
@@ -47,7 +48,7 @@ SCENES = {
 }
 
 
-def collision(folder, name, endTime=1.2, preset=PRESET):
+def collision(folder, name, endTime=END, preset=PRESET):
     """The case of a scene, which writes INTERVALS times; not yet run."""
     bodies, interfaces = SCENES[name]()
     return SmallCase(folder, bodies, endTime, interfaces=interfaces,

@@ -3,7 +3,7 @@ ranks, and a rigid tool on a block."""
 
 import numpy as np
 
-from caseTools import DEFAULT, checked
+from caseTools import DEFAULT, checked, solver
 from smallCases import Body, SmallCase, coulomb, interface, table
 
 MATERIAL = {"type": "neoHookean", "rho": 1000, "E": 1e6, "nu": 0.3}
@@ -59,8 +59,7 @@ def solveOn(case, ranks, places):
             "object cellDecomposition; }\n"
             f"{len(cells)} ({' '.join(map(str, cells))})\n")
     case.decompose(ranks, "manual")
-    checked(["mpirun", "-np", str(ranks), "vertexContactFoam", "-parallel"],
-            case.path)
+    checked(solver(ranks), case.path)
 
 
 def rigid(**more):

@@ -6,7 +6,7 @@ from typing import Callable
 
 import numpy as np
 
-from caseTools import PRESET, Case, checked, execute, timeFolders
+from caseTools import PRESET, Case, checked, execute, solver, timeFolders
 
 # Sides of a block: direction, corners
 SIDES = {"left": (0, "0 4 7 3"), "right": (0, "1 2 6 5"),
@@ -287,16 +287,14 @@ class SmallCase(Case):
 
     def run(self):
         """Run in serial; any failure is an error."""
-        checked(["vertexContactFoam"], self.path)
+        checked(solver(), self.path)
         return self
 
     def attempt(self, ranks=1):
         """Run, whatever happens: exit code and output."""
-        command = ["vertexContactFoam"]
         if ranks > 1:
             self.decompose(ranks)
-            command = ["mpirun", "-np", str(ranks), *command, "-parallel"]
-        done = execute(command, self.path)
+        done = execute(solver(ranks), self.path)
         return done.returncode, done.stdout
 
     @property

@@ -1,14 +1,11 @@
 """Prescribed motions, by component, along a direction, by displacement; and
 the reactions of all patches that hold nodes."""
 
-import shutil
-
 import numpy as np
 import pytest
 
 import readResults
-from caseTools import (DEFAULT, checked, contents, differingFiles,
-                       timeFolders)
+from caseTools import DEFAULT, differingFiles, runAgain
 from smallCases import (RUBBER, Body, SmallCase, condition, interface,
                         largest, smooth, table)
 
@@ -126,21 +123,8 @@ def test_momentum_balance(tmp_path, figures, ranks):
 def test_restart(tmp_path, figures, ranks):
     """To the last bit."""
     case = pressed(tmp_path, endTime=0.6, write=0.2)
-    run, folders = ["vertexContactFoam"], ["."]
-    if ranks > 1:
-        case.decompose(ranks)
-        run = ["mpirun", "-np", str(ranks), *run, "-parallel"]
-        folders = [f"processor{i}" for i in range(ranks)]
-    checked(run, case.path)
-    expected = [contents(case/folder/"0.6") for folder in folders]
-    straight = reactionsOf(case)
-    for folder in folders:
-        for time in timeFolders(case/folder):
-            if float(time) > 0.3:
-                shutil.rmtree(case/folder/time)
-    checked(run, case.path)
-    found = [contents(case/folder/"0.6") for folder in folders]
-    again = reactionsOf(case)
+    (expected, straight), (found, again) = runAgain(
+        case, ranks, lambda case, _: reactionsOf(case))
     late = straight["Time"] > 0.2 - 1e-9
     with figures(f"restart with constraints, {ranks} ranks") as f:
         f.equal("files that differ", differingFiles(expected, found), [])

@@ -2,13 +2,12 @@
 statics."""
 
 import re
-import shutil
 
 import numpy as np
 import pytest
 
-from caseTools import (DEFAULT, Case, checked, contents, differingFiles,
-                       execute, timeFolders)
+from caseTools import (DEFAULT, checked, differingFiles, execute, rankFolders,
+                       runAgain, timeFolders)
 from smallCases import (ELASTIC, RUBBER, Body, SmallCase, condition, interface,
                         largest, polar, table)
 
@@ -409,29 +408,19 @@ def everything(folder, **more):
 def test_restart(tmp_path, figures, ranks):
     """Bit by bit, with scaled mass, damping, relaxation and contact."""
     case = everything(tmp_path/"case")
-    run, folders = ["vertexContactFoam"], ["."]
-    if ranks > 1:
-        case.decompose(ranks)
-        run = ["mpirun", "-np", str(ranks), *run, "-parallel"]
-        folders = [f"processor{i}" for i in range(ranks)]
-    output = checked(run, case.path)
-    times = timeFolders(case/folders[0])
-    expected = [contents(case/folder/times[-1]) for folder in folders]
-    energies = case.energies
-    assert len(times) > 4
-    for folder in folders:
-        for time in times[len(times)//2:]:
-            shutil.rmtree(case/folder/time)
-    again = checked(run, case.path)
-    found = [contents(case/folder/timeFolders(case/folder)[-1])
-             for folder in folders]
-    e = Case(case.path).energies
-    said = [re.search(r"Relaxation: residual .*", text)[0]
-            for text in (output, again)]
+
+    def look(case, output):
+        times = timeFolders(case/rankFolders(ranks)[0])
+        assert len(times) > 4
+        return (times[-1], case.energies,
+                re.search(r"Relaxation: residual .*", output)[0])
+
+    (expected, first), (found, second) = runAgain(case, ranks, look)
+    (end, energies, said), (endAgain, e, saidAgain) = first, second
     with figures(f"slow loading, {ranks} ranks: restart") as f:
-        f.equal("last time", timeFolders(case/folders[0])[-1], times[-1])
+        f.equal("last time", endAgain, end)
         f.equal("files that differ", differingFiles(expected, found), [])
-        f.equal("what the log ends with", said[1], said[0])
+        f.equal("what the log ends with", saidAgain, said)
         f.atLeast("files compared", len(expected[0]), 8)
         f.atMost("largest difference of the last energies / largest", max(
             abs(energies[key][-1] - e[key][-1]) for key in energies)
