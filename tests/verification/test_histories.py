@@ -1,14 +1,13 @@
 """Histories: how many rows there are, what they lose, the filtered force of
 contact, largest values and averages."""
 
-import shutil
-
 import numpy as np
 import pytest
 
 import readResults
-from caseTools import DEFAULT, Case, checked, timeFolders
-from smallCases import ELASTIC, FLOOR, Body, SmallCase
+from caseTools import DEFAULT, checked, runAgain
+from smallCases import (ELASTIC, FLOOR, Body, SmallCase, condition,
+                        largest)
 
 SPEED, CUT_OFF = 0.1, 0.5
 
@@ -17,10 +16,10 @@ def function(name, **more):
     return {"type": name, "libs": "(vertexContact)", **more}
 
 
-def falling(folder, endTime=12, n=40, **functions):
+def falling(folder, endTime=12, n=40, sides={}, **functions):
     """A bar that hits a plane, and leaves it after 2 s. c_p = 1."""
     bar = Body(cells=(n,), name="bar", material=ELASTIC, velocity=(-SPEED, 0, 0),
-               start=(0.05, 0, 0), sides={"left": "contact"})
+               start=(0.05, 0, 0), sides={"left": "contact", **sides})
     plane = {**FLOOR, "pointAndNormalDict": {
         "point": (0, 0, 0), "normal": (1, 0, 0)}}
     return SmallCase(
@@ -70,16 +69,10 @@ def test_rows_and_filter(tmp_path, figures):
 
 def test_restart_of_filter(tmp_path, figures):
     """To the last bit."""
-    straight = falling(
-        tmp_path/"straight", endTime=4,
-        forces=function("contactForces", filterFrequency=CUT_OFF)).run()
-    case = Case(shutil.copytree(straight.path, tmp_path/"case"))
-    shutil.rmtree(case/"postProcessing")
-    times = timeFolders(case.path)
-    shutil.rmtree(case/times[-1])
-    checked(["vertexContactFoam"], case.path)
-    a, b = (readResults.table(c.path, "forces", "ground.dat")
-            for c in (straight, case))
+    case = falling(tmp_path, endTime=4, forces=function(
+        "contactForces", filterFrequency=CUT_OFF))
+    (_, a), (_, b) = runAgain(case, look=lambda case, _: readResults.table(
+        case.path, "forces", "ground.dat"))
     with figures("filtered force after a restart") as f:
         f.atLeast("its magnitude / the pressure of the wave",
                   abs(a["bar.left:filteredFx"][-1])/SPEED, 0.01)
@@ -104,13 +97,20 @@ def bending(folder, **functions):
         control={"functions": {
             name: function(kind, **more)
             for name, (kind, more) in functions.items()}})
-    case.dictionary("system/block/topoSetDict", {"actions": "("
-        "{ name half; type cellSet; action new; source boxToCell; "
-        "box (-9 -9 -9) (9 1 9); }"
-        "{ name half; type cellZoneSet; action new; source setToCellZone; "
-        "set half; } "
-        "{ name some; type pointSet; action new; source boxToPoint; "
-        "box (-9 1.9 -9) (0.1 9 9); })"})
+    def made(name, kind, source, how):
+        return (f"{{ name {name}; type {kind}; action new; source {source}; "
+                f"{how}; }}")
+    middle = "box (-9 0.99 -9) (9 1.01 9)"
+    case.dictionary("system/block/topoSetDict", {"actions": (
+        made("half", "cellSet", "boxToCell", "box (-9 -9 -9) (9 1 9)"),
+        made("half", "cellZoneSet", "setToCellZone", "set half"),
+        made("some", "pointSet", "boxToPoint", "box (-9 1.9 -9) (0.1 9 9)"),
+        made("roof", "faceSet", "patchToFace", "patch top"),
+        made("roof", "faceZoneSet", "setToFaceZone", "faceSet roof"),
+        made("roof", "pointSet", "boxToPoint", "box (-9 1.9 -9) (9 9 9)"),
+        made("inside", "faceSet", "boxToFace", middle),
+        made("inside", "faceZoneSet", "setToFaceZone", "faceSet inside"),
+        made("inside", "pointSet", "boxToPoint", middle))})
     checked(["topoSet", "-region", "block"], case.path)
     return case
 
@@ -168,3 +168,103 @@ def test_extremes_and_averages(tmp_path, figures, ranks):
                     tables["steps"][key][1:].argmax()])
         f.equal("rows hold steps in between", max(tables["peaks"][key]),
                 max(tables["steps"][key]))
+
+
+@pytest.mark.parametrize("ranks", (1, 2))
+def test_face_zones(tmp_path, figures, ranks):
+    """Over a faceZone as over the patch, and the points, of its faces: one on
+    the surface, and one inside the block; now and later."""
+    fields = {"fields": "(pointD sigmaEq pointU.y)", "region": "block",
+              "writeControl": "timeStep"}
+    places = {"zone": ("faceZone", "roof"), "patch": ("patch", "top"),
+              "points": ("pointSet", "roof"), "zoneInside": (
+                  "faceZone", "inside"), "pointsInside": ("pointSet", "inside")}
+    case = bending(tmp_path, **{
+        f"{what}{name}": (f"solid{what}", {**fields, kind: of})
+        for what in ("Extremes", "Averages")
+        for name, (kind, of) in places.items()})
+    if ranks == 1:
+        case.run()
+    else:
+        assert case.attempt(ranks)[0] == 0
+
+    def columns(what, name):
+        """Without the names of the sets, as one array."""
+        t = readResults.table(case.path, f"{what}{name}",
+                              f"{what.lower()}.dat")
+        return t, np.array(list(t.values()))
+    with figures(f"extremes and averages of faceZones, {ranks} ranks") as f:
+        first, _ = columns("Averages", "zoneInside")
+        f.within("average inside", first["block.inside:pointD.x"][0], 2.5e-3,
+                 1e-15)
+        f.within("average on the surface", columns("Averages", "zone")[0][
+            "block.roof:pointD.x"][0], 4.5e-3, 1e-15)
+        f.atLeast("rows", len(first["Time"]), 5)
+        for what in "Extremes", "Averages":
+            for zone, others in (("zone", ("patch", "points")),
+                                 ("zoneInside", ("pointsInside",))):
+                _, a = columns(what, zone)
+                for other in others:
+                    _, b = columns(what, other)
+                    # Points are weighted by volumes, in proportion to areas
+                    f.atMost(f"{what} of {zone} - of {other}", largest(a - b),
+                             0 if what == "Extremes" else 1e-15)
+
+
+def test_rows_of_every_function_object(tmp_path, figures):
+    """Each of them writes a row each thousandth of the run, or when its
+    writeControl says so, and one of the start, which of contact is that of the
+    first step."""
+    endTime, interval = 14.0, 0.7
+    controls = {
+        "default": {}, "each": {"writeControl": "timeStep"},
+        "seventh": {"writeControl": "timeStep", "writeInterval": 7},
+        "interval": {"writeControl": "runTime", "writeInterval": interval},
+        "fields": {"writeControl": "writeTime"},
+        "end": {"writeControl": "onEnd"}}
+    kinds = {
+        "solidEnergies": ({}, ("energies.dat", "momentum.dat")),
+        "pointProbes": ({"points": ((0.05, 0, 0),), "fields": "(pointU J)"},
+                        ("pointU", "J")),
+        "reactionForces": ({}, ("reactions.dat",)),
+        "solidAverages": ({"fields": "(pointD)"}, ("averages.dat",)),
+        "solidExtremes": ({"fields": "(pointD)"}, ("extremes.dat",)),
+        "contactForces": ({}, ("ground.dat",))}
+    case = falling(
+        tmp_path, endTime, sides={"right": condition(
+            "fixedVelocity", velocity=(-SPEED/10, 0, 0))},
+        **{f"{kind}-{control}": function(kind, **more, **when)
+           for kind, (more, _) in kinds.items()
+           for control, when in controls.items()}).run()
+
+    def times(kind, control, file):
+        if kind == "pointProbes":
+            return case.probe(f"{kind}-{control}", file)[0]
+        return readResults.table(case.path, f"{kind}-{control}", file)["Time"]
+    t = times("solidEnergies", "each", "energies.dat")
+    step = np.diff(t, prepend=0)
+    part = np.floor(1000*t/endTime + 1e-6)
+    # Within half a step of the instants asked for, as OpenFOAM does it
+    passed = np.floor((t + 0.5*step)/interval)
+    rows = {"default": t[np.diff(part, prepend=-1) > 0], "each": t,
+            "seventh": t[::7], "interval": t[np.diff(passed, prepend=-1) > 0],
+            "fields": endTime*np.array((0, 0.5, 1)),
+            "end": endTime*np.array((0, 1))}
+    with figures("rows of every function object") as f:
+        f.atLeast("steps", len(t), 2000)
+        for control, expected in rows.items():
+            f.equal(f"rows, {control}", {
+                "default": 1001, "interval": 21}.get(control, len(expected)),
+                len(expected))
+            other = []
+            for kind, (_, files) in kinds.items():
+                wanted = expected
+                if kind == "contactForces":
+                    first = t[1:2] if control == "default" else []
+                    wanted = np.concatenate((first, expected[1:]))
+                for file in files:
+                    found = times(kind, control, file)
+                    if (len(found) != len(wanted)
+                            or largest(found - wanted) > 1e-9):
+                        other.append(f"{kind}: {file}")
+            f.equal(f"tables with other rows, {control}", other, [])
