@@ -1,10 +1,11 @@
 """Scenes of contact that more than one test has: four blocks that meet, on
-ranks, and a rigid tool on a block."""
+ranks, a rigid tool on a block, and a box that falls on its bumper."""
 
 import numpy as np
 
 from caseTools import DEFAULT, checked, solver
-from smallCases import Body, SmallCase, coulomb, interface, table
+from defaultCases import defaultCase
+from smallCases import FLOOR, Body, SmallCase, coulomb, interface, table
 
 MATERIAL = {"type": "neoHookean", "rho": 1000, "E": 1e6, "nu": 0.3}
 END = 0.05
@@ -90,3 +91,31 @@ def toolAndBlock(folder, endTime=1, ranks=1, control=None, material=None,
                      functions=("contactForces",), preset=DEFAULT,
                      control={"writeInterval": endTime/2, **(control or {})})
     return case.run() if ranks == 1 else case.runParallel(ranks)
+
+
+ALUMINIUM = {"type": "neoHookean", "rho": 2700, "E": 70e9, "nu": 0.33}
+
+
+def boxOnBumper(folder, joint="tied", nu=0.4, every=5, n=8, **control):
+    """An aluminium box with a rubber bumper, of n elements over each height,
+    falls on a rigid plane at 3 m/s; rows of histories each so many steps. The
+    case, not yet run."""
+    gap, speed, thick = 1e-4, (0, -3, 0), 0.01
+    box = Body((n, n), name="box", start=(0, thick + gap, 0),
+               size=(0.05, 0.05, 1), material=ALUMINIUM, velocity=speed,
+               sides={"bottom": "contact"})
+    bumper = Body((5*n//2, n), name="bumper", start=(0, gap, 0),
+                  size=(0.05, thick, 1), velocity=speed, material={
+                      "type": "neoHookean", "rho": 1100, "E": 5e6, "nu": nu},
+                  sides={"bottom": "contact", "top": "contact"})
+    return defaultCase(folder, [box, bumper], 2e-3, control, every=every, interfaces={
+        "joint": interface(
+            ("bumper", "top"), ("box", "bottom"), joint,
+            pairing="AMI" if joint == "tied" else "nearestFace"),
+        "floor": {"side": ("bumper", "bottom"), "obstacle": FLOOR}})
+
+
+def released(case):
+    """When the bumper leaves the floor."""
+    contact = case.contact("floor")
+    return contact["Time"][contact["area"] > 0][-1]

@@ -12,6 +12,8 @@ DROP = "dropTest"
 ELASTIC, RIGID = (
     Tutorial(DROP, "I", options=(("BOX", box),), preset=DEFAULT)
     for box in ("elastic", "rigid"))
+OWN_STEPS = Tutorial(DROP, "I", preset=DEFAULT, options=(("BOX", "elastic"),),
+                     control=(("subCycling", True),))
 
 
 def floor(case):
@@ -62,3 +64,25 @@ def test_rigid_as_elastic(run, figures):
         f.within("where: above the floor [mm]",
                  1e3*peaks["box:sigmaEq:max:Z"][at], 8.1, 0.01)
         f.within("when [ms]", 1e3*peaks["box:sigmaEq:max:time"][at], 1.1, 0.2)
+
+
+@pytest.mark.scenes(ELASTIC, OWN_STEPS)
+def test_steps_of_their_own(run, figures):
+    """With subCycling, rubber and box each with the step that it can take, as
+    with one step: its longer steps in the rubber take a little more energy."""
+    one, own = run(ELASTIC), run(OWN_STEPS)
+    F, t = ([floor(case)[name] for case in (own, one)]
+            for name in ("bumper.bottom:Fz", "Time"))
+    peaks = [table(case.path, "peaks", "extremes.dat")["box:sigmaEq:max"].max()
+             for case in (own, one)]
+    with figures("drop test, own steps / one step") as f:
+        f.within("peak force", F[0].max()/F[1].max(), 1, 0.03)
+        f.within("duration", np.ptp(t[0][F[0] > 0])/np.ptp(t[1][F[1] > 0]), 1,
+                 0.01)
+        f.within("speed away", away(own)/away(one), 1, 0.015)
+        f.within("peak stress in the box", peaks[0]/peaks[1], 1, 0.04)
+        f.within("energy at the end", own.totalEnergy[-1]/one.totalEnergy[-1],
+                 1, 0.03)
+        f.atMost("residual of the energy balance / initial, own steps",
+                 np.abs(own.energies["total:balance"]).max()
+                 / own.totalEnergy[0], 4e-3)

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from caseTools import Tutorial, rise
+from contactScenes import boxOnBumper, released
 from defaultCases import (CLAMPED, barAgainst, checkShock, defaultCase,
                           rough)
 from smallCases import (ELASTIC, FLOOR, Body, GmshBody, condition,
@@ -244,9 +245,6 @@ def test_ball_cradle(tmp_path, figures, perRadius):
         f.atMost("largest energy / initial - 1", E.max()/E[0] - 1, 1e-6)
 
 
-ALUMINIUM = {"type": "neoHookean", "rho": 2700, "E": 70e9, "nu": 0.33}
-
-
 @pytest.mark.parametrize("joint, nu", (
     ("tied", 0.4), ("frictionless", 0.4), ("tied", 0.45),
     pytest.param("tied", 0.49, marks=pytest.mark.xfail(
@@ -255,21 +253,8 @@ ALUMINIUM = {"type": "neoHookean", "rho": 2700, "E": 70e9, "nu": 0.33}
 def test_bumper_loses_little(tmp_path, figures, joint, nu):
     """An aluminium box with a rubber bumper falls on a rigid plane at 3 m/s:
     of its energy little is lost until it has left the plane again."""
-    gap, speed, thick = 1e-4, (0, -3, 0), 0.01
-    box = Body((8, 8), name="box", start=(0, thick + gap, 0),
-               size=(0.05, 0.05, 1), material=ALUMINIUM, velocity=speed,
-               sides={"bottom": "contact"})
-    bumper = Body((20, 8), name="bumper", start=(0, gap, 0),
-                  size=(0.05, thick, 1), velocity=speed, material={
-                      "type": "neoHookean", "rho": 1100, "E": 5e6, "nu": nu},
-                  sides={"bottom": "contact", "top": "contact"})
-    run = defaultCase(tmp_path, [box, bumper], 2e-3, every=5, interfaces={
-        "joint": interface(
-            ("bumper", "top"), ("box", "bottom"), joint,
-            pairing="AMI" if joint == "tied" else "nearestFace"),
-        "floor": {"side": ("bumper", "bottom"), "obstacle": FLOOR}}).run()
-    contact, E = run.contact("floor"), run.totalEnergy
-    release = contact["Time"][contact["area"] > 0][-1]
+    run = boxOnBumper(tmp_path, joint, nu).run()
+    E, release = run.totalEnergy, released(run)
     with figures(f"scenes, bumper, {joint}, {nu}") as f:
         f.atMost("time of the release [ms]", 1e3*release, 1.8)
         f.atMost("energy lost until the release / initial", 1 - (
