@@ -360,6 +360,26 @@ def rise(energy, scale=None):
                  / (energy[0] if scale is None else scale))
 
 
+def checkEnergies(f, case, interface=None, *, balance, total=None, own=None,
+                  penetration=None):
+    """What contact keeps of the energy, each with its limit: the residual of
+    its balance, rises of the total one and of that less all works, and how far
+    faces get into each other."""
+    initial = case.totalEnergy[0]
+    if total is not None:
+        f.atMost("largest rise of the total energy / initial",
+                 rise(case.totalEnergy), total)
+    if own is not None:
+        f.atMost("largest rise of the energy less works / initial",
+                 rise(case.ownEnergy), own)
+    if penetration is not None:
+        f.atMost("largest penetration / face",
+                 case.contact(interface)["relativePenetration"].max(),
+                 penetration)
+    f.atMost("residual of the energy balance / initial", float(
+        np.abs(case.energies["total:balance"]).max()/initial), balance)
+
+
 def relativeL1(times, values, exact):
     """Integral of |values - exact| over that of |exact|, in time."""
     times = np.asarray(times)

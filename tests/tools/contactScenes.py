@@ -108,11 +108,12 @@ def boxOnBumper(folder, joint="tied", nu=0.4, every=5, n=8, **control):
                   size=(0.05, thick, 1), velocity=speed, material={
                       "type": "neoHookean", "rho": 1100, "E": 5e6, "nu": nu},
                   sides={"bottom": "contact", "top": "contact"})
-    return defaultCase(folder, [box, bumper], 2e-3, control, every=every, interfaces={
-        "joint": interface(
-            ("bumper", "top"), ("box", "bottom"), joint,
-            pairing="AMI" if joint == "tied" else "nearestFace"),
-        "floor": {"side": ("bumper", "bottom"), "obstacle": FLOOR}})
+    between = interface(("bumper", "top"), ("box", "bottom"), joint,
+                        pairing="AMI" if joint == "tied" else "nearestFace")
+    return defaultCase(
+        folder, [box, bumper], 2e-3, control, every=every, interfaces={
+            "joint": between,
+            "floor": {"side": ("bumper", "bottom"), "obstacle": FLOOR}})
 
 
 def released(case):

@@ -13,7 +13,7 @@ import pytest
 
 import hertzChain
 import hertzSolution
-from caseTools import DEFAULT, Tutorial, rise
+from caseTools import DEFAULT, Tutorial, checkEnergies
 
 HERTZ = "hertzContact"
 TWO = (("SCENE", "spheres"),)
@@ -55,7 +55,7 @@ def rebound(case):
 def checkImpact(f, scene, run, peak, time, back):
     """Tolerances of peak force and duration, least speed away / towards."""
     case = run(scene)
-    contact, total = case.contact("contact"), case.totalEnergy
+    contact = case.contact("contact")
     spheres = scene in (COARSE_SPHERES, SPHERES)
     # Corners of spheres touch in their centroids, behind the poles; surfaces
     # are slowed down a cell's time and a step before they touch
@@ -67,13 +67,8 @@ def checkImpact(f, scene, run, peak, time, back):
     f.within("duration / finite sphere",
              duration(case)/hertzSolution.DURATION/finite()[1], 1, time)
     f.atLeast("speed away / towards", rebound(case), back)
-    f.atMost("largest rise of the total energy / initial", rise(total), 5e-3)
-    f.atMost("largest rise of the energy less works / initial",
-             rise(case.ownEnergy), 1e-4)
-    f.atMost("largest penetration / face",
-             contact["relativePenetration"].max(), 0.05)
-    f.atMost("residual of the energy balance / initial",
-             np.abs(case.energies["total:balance"]).max()/total[0], 5e-4)
+    checkEnergies(f, case, "contact", balance=5e-4, total=5e-3, own=1e-4,
+                  penetration=0.05)
 
 
 def checkSpheres(f, plane, spheres):

@@ -4,7 +4,7 @@ pairings that follow the bodies."""
 import numpy as np
 import pytest
 
-from caseTools import DEFAULT, PRESET, rise
+from caseTools import DEFAULT, PRESET, checkEnergies, rise
 from smallCases import (RUBBER, SIDES, Body, SmallCase, condition, coulomb,
                         distorted, interface, largest)
 
@@ -66,10 +66,7 @@ def test_momentum_whatever_the_meshes(tmp_path, figures, ratio, pairing):
             contact["low.top:Fy"]))/(0.05*(1 if same else 0.7)), 0.9)
         f.atMost("energy at the end / initial",
                  case.totalEnergy[-1]/case.totalEnergy[0], 1)
-        f.atMost("largest rise of the energy less works / initial", rise(case.ownEnergy),
-                 2e-3)
-        f.atMost("balance residual / initial energy", largest(
-            case.energies["total:balance"])/case.totalEnergy[0], 3e-3)
+        checkEnergies(f, case, balance=3e-3, own=2e-3)
 
 
 # Each number of ranks once: more than there are cores take their time

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from caseTools import DEFAULT, PRESET, rise
+from caseTools import DEFAULT, PRESET, checkEnergies
 from smallCases import (ELASTIC, RUBBER, Body, SmallCase, coulomb, interface,
                         largest)
 
@@ -77,20 +77,14 @@ def test_impulse_of_any_shape(tmp_path, figures, shape, ranks):
     it bounces."""
     case = fall(tmp_path, block((6, 6, 6)), ranks=ranks, preset=DEFAULT,
                 obstacle=SHAPES[shape])
-    contact = case.contact("wall")
-    E = case.ownEnergy
     with figures(f"block falls on a {shape}, {ranks} ranks") as f:
         f.atMost("change of momentum - impulse / momentum",
                  largest(gained(case) - impulse(case))/0.05, 1e-12)
         f.atLeast("impulse / momentum", impulse(case)[-1, 1]/0.05, 1.4)
         f.atMost("impulse along the surface / across", largest(
             impulse(case)[-1, (0, 2)])/impulse(case)[-1, 1], 1e-9)
-        f.atMost("largest penetration / face",
-                 contact["relativePenetration"].max(), 0.05)
-        f.atMost("largest rise of the energy less works / initial",
-                 rise(E), 1e-3)
-        f.atMost("balance residual / initial energy",
-                 largest(case.energies["total:balance"])/E[0], 2e-3)
+        checkEnergies(f, case, "wall", balance=2e-3, own=1e-3,
+                      penetration=0.05)
 
 
 def test_like_a_mirror_image(tmp_path, figures):

@@ -4,7 +4,7 @@ a rigid plane."""
 import numpy as np
 import pytest
 
-from caseTools import DEFAULT, Tutorial, relativeL1, rise
+from caseTools import DEFAULT, Tutorial, checkEnergies, relativeL1
 
 HAIRPIN = "selfContact"
 SELF, NON_MATCHING, HALF = (
@@ -54,17 +54,13 @@ def test_whole_does_as_the_half(run, figures, scene):
                          ids=("self", "nonMatching", "half"))
 def test_contact_keeps_momentum_and_takes_energy(run, figures, scene):
     case = run(scene)
-    contact, total = case.contact("legs"), case.totalEnergy
+    contact = case.contact("legs")
     touching, momentum = contact["area"] > 0, case.momentum
     with figures(f"Self-contact, {dict(scene.options)['SCENE']}") as f:
         f.within("first contact [ms]", 1e3*contact["Time"][touching][0],
                  2.5, 0.1)
-        f.atMost("largest rise of the energy less works / initial",
-                 rise(case.ownEnergy), 1e-4)
-        f.atMost("largest penetration / face",
-                 contact["relativePenetration"].max(), 0.05)
-        f.atMost("residual of the energy balance / initial",
-                 np.abs(case.energies["total:balance"]).max()/total[0], 4e-3)
+        checkEnergies(f, case, "legs", balance=4e-3, own=1e-4,
+                      penetration=0.05)
         if scene != HALF:
             # A leg: 4 mm x 40 mm at 0.8 m/s on average
             f.atMost("change of momentum / a leg's", max(
