@@ -68,17 +68,19 @@ void Foam::solidSystem::chooseSteps(const bool adjusts)
     const scalar longest = leastLimit_.of(longest_);
     if (adjusts)
     {
+        // Forces act over the mean of two steps. After a longer one that is
+        // within the bound with a shorter one, so that ratios stay as they are
+        // where the step falls little by little: each change of a ratio has its
+        // error
+        const scalar bound =
+            control_.maxCo()*ratios_->commonStep(recentStable_, longest);
+        const scalar rest = 2*bound - commonStep_;
         runTime_.setDeltaT
         (
-            control_.fitted
-            (
-                control_.maxCo()*ratios_->commonStep(recentStable_, longest)
-            ),
-            false
+            control_.fitted(rest > 0.5*bound ? min(bound, rest) : bound), false
         );
     }
 
-    // Forces act over the means of two steps
     const scalar deltaT = runTime_.deltaTValue();
     ownSteps_ = ratios_->of
     (
