@@ -269,3 +269,22 @@ def test_vibrating_support(tmp_path, figures):
     with figures("a block that is shaken") as f:
         f.atMost("force, error / mass times acceleration", largest(
             force[5:] + omega**2*np.sin(omega*t[5:]))/omega**2, 0.05)
+
+
+def test_rigid_regions_are_held_as_a_whole(tmp_path, figures):
+    """Their patches have no reactions, and no columns of zeros."""
+    block = Body(cells=(3, 3), name="block", sides={
+        "left": condition("fixedVelocity", velocity=(0, 0, 0))})
+    plate = Body(cells=(2, 2), name="plate", start=(2, 0, 0),
+                 material={"type": "rigid", "rho": 1},
+                 sides={"left": "symmetryPlane"})
+    both = small(tmp_path/"both", (block, plate), 0.1).run()
+    alone = small(tmp_path/"alone", plate, 0.1)
+    code, output = alone.attempt()
+    with figures("reactions beside a rigid region") as f:
+        f.equal("patches", sorted({key.split(":")[0] for key in
+                                   reactionsOf(both)} - {"Time"}),
+                ["block.left"])
+        f.equal("exit code of a rigid region alone", code, 1)
+        f.equal("message", "no patch holds nodes of a region that deforms"
+                in output, True)

@@ -49,6 +49,12 @@ def test_rows_and_filter(tmp_path, figures):
         for key in ("bar.left:Fx", "bar.left:Ix", "bar.left:filteredFx"):
             f.equal(f"{key}, seldom", np.array_equal(
                 seldom[key], always[key][at]), True)
+        for name, poles in ("always", 2), ("one", 1):
+            file = case.path/f"postProcessing/{name}/0/ground.dat"
+            f.equal(f"what the filter is, {name}",
+                    file.read_text().splitlines()[0],
+                    "# filteredF: behind a causal low-pass filter, cut-off "
+                    f"{CUT_OFF} Hz, poles {poles}")
         impulse = always["bar.left:Ix"][-1]
         f.within("impulse / momentum", impulse/(2*SPEED), 1, 0.02)
         for name in ("always", "one"):

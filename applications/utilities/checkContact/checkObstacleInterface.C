@@ -30,33 +30,11 @@ void Foam::checkInterface
 
     const labelHashSet near(contact.nearCorners());
 
-    scalarField width(n);
-    const contactFaceList faces
-    (
-        contactSurface::faces(side, globalIndex(n), false)
-    );
-    forAll(faces, f)
-    {
-        for (label k = patch.faceStart[f]; k < patch.faceStart[f + 1]; ++k)
-        {
-            width[k] = faces[f].width;
-        }
-    }
-
-    // Nearest points, asked for in the frame of the obstacle
     const septernion& pose = contact.motion().pose();
-    pointField X(n);
-    forAll(X, k)
-    {
-        X[k] = pose.invTransformPoint
-        (
-            side.body->position(patch.cornerNode[k])
-        );
-    }
+    pointField X;
     List<pointIndexHit> hits;
-    contact.surface().findNearest(X, scalarField(n, sqr(GREAT)), hits);
     vectorField normals;
-    contact.surface().getNormal(hits, normals);
+    contact.findNearest(X, hits, normals);
 
     label nHit = 0, nNear = 0, nFacing = 0, nTurned = 0, nBehind = 0;
     scalar leastGap = GREAT, greatestGap = -GREAT, gapArea = 0, area = 0;
@@ -79,8 +57,9 @@ void Foam::checkInterface
 
         const bool isNear = near.found(k);
 
-        // As in obstacleInterface::solve(): the normals oppose each other
+        // The normals oppose each other
         const scalar opposed = -(corners.n[k] & normal);
+        const bool faces = opposed > obstacleInterface::leastFacing;
 
         leastGap = min(leastGap, gap);
         greatestGap = max(greatestGap, gap);
@@ -90,18 +69,18 @@ void Foam::checkInterface
         if (isNear)
         {
             ++nNear;
-            nFacing += (opposed > 0.1);
-            nTurned += (opposed < -0.1);
-            if (opposed > 0.1 && gap < 0)
+            nFacing += faces;
+            nTurned += (opposed < -obstacleInterface::leastFacing);
+            if (faces && gap < 0)
             {
-                penetration = max(penetration, -gap/width[k]);
+                penetration = max(penetration, -gap/contact.width()[k]);
             }
         }
         lines.append
         (
             x, nearest,
             {
-                a, gap, scalar(isNear), scalar(opposed > 0.1),
+                a, gap, scalar(isNear), scalar(faces),
                 scalar(Pstream::myProcNo())
             }
         );

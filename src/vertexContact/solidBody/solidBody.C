@@ -677,7 +677,7 @@ void Foam::solidBody::prepare
 }
 
 
-void Foam::solidBody::computeGradients()
+void Foam::solidBody::computeGradients(const bool withNodes)
 {
     kernel_->gradients(data_);
     for (const dualPatch& patch : dual_.patches())
@@ -686,7 +686,8 @@ void Foam::solidBody::computeGradients()
         {
             kernel_->addBoundaryGradients
             (
-                data_, patch, statesOf(patch.patchIndex)
+                data_, patch,
+                withNodes ? nullptr : statesOf(patch.patchIndex)
             );
         }
     }

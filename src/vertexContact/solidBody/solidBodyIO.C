@@ -408,62 +408,35 @@ void Foam::solidBody::readState()
 
 void Foam::solidBody::deformationFromDisplacement()
 {
+    if (data_.variational)
+    {
+        if (scheme_.valid()) scheme_->deform();
+        return;
+    }
+
+    // The gradient of the displacement in place of the velocity
     conservedState& s = data_.state;
     const label d = dual_.nDim();
-    const label* edge = dual_.edgeNodes().cdata();
-    scalarField G(dual_.nNodes()*d*d, Zero);
-
-    for (label e = 0; e < dual_.nEdges(); ++e)
+    data_.W = Zero;
+    for (label a = 0; a < dual_.nNodes(); ++a)
     {
-        const label a = edge[2*e], b = edge[2*e + 1];
         for (label i = 0; i < d; ++i)
         {
-            const scalar avg = 0.5*(s.disp[a*d + i] + s.disp[b*d + i]);
-            for (label j = 0; j < d; ++j)
-            {
-                const scalar f = avg*data_.edgeArea()[e*d + j];
-                G[(a*d + i)*d + j] += f;
-                G[(b*d + i)*d + j] -= f;
-            }
+            data_.W[a*data_.strideW + i] = s.disp[a*d + i];
         }
     }
-    for (const dualPatch& patch : dual_.patches())
-    {
-        if (mirrorPatches_.found(patch.patchIndex))
-        {
-            continue;
-        }
-        for (label f = 0; f < patch.nFaces(); ++f)
-        {
-            const label start = patch.faceStart[f];
-            const label nf = patch.faceStart[f + 1] - start;
-            const scalar* w =
-                patch.weightVectors.cdata() + d*patch.weightStart[f];
-            for (label p = 0; p < nf; ++p)
-            {
-                const label a = patch.cornerNode[start + p];
-                for (label j = 0; j < nf; ++j)
-                {
-                    const label b = patch.cornerNode[start + j];
-                    for (label i = 0; i < d; ++i)
-                    {
-                        for (label k = 0; k < d; ++k)
-                        {
-                            G[(a*d + i)*d + k] +=
-                                s.disp[b*d + i]*w[d*(p*nf + j) + k];
-                        }
-                    }
-                }
-            }
-        }
-    }
-    dual_.sharing().sum(G.data(), d*d);
-    symmetry_.symmetrise(G.data(), d*d);
+    computeGradients(true);
 
     for (label a = 0; a < dual_.nNodes(); ++a)
     {
-        const scalar perV = 1/dual_.nodeVolume()[a];
-        for (label k = 0; k < d*d; ++k) s.F[a*d*d + k] += perV*G[a*d*d + k];
+        const scalar* grad = data_.grad.cdata() + a*d*data_.strideG;
+        for (label i = 0; i < d; ++i)
+        {
+            for (label j = 0; j < d; ++j)
+            {
+                s.F[(a*d + i)*d + j] += grad[j*data_.strideG + i];
+            }
+        }
 
         const scalar* F = s.F.cdata();
         if (d == 3)

@@ -354,11 +354,10 @@ void Foam::solidBody::leap
     scalar* lm = data_.state.lm.data();
     const scalar perRho = 1/data_.rho;
 
-    if (damping_.valid())
-    {
-        kickDamped(kick);
-    }
-    else withDirections(d, [&](auto D)
+    // Damped as in massDamping; else with all of both
+    const scalar T = damping_.valid() ? damping_->tanhOf(kick) : 0;
+    const scalar keep = (1 - T)/(1 + T), share = kick/(1 + T);
+    withDirections(d, [&](auto D)
     {
         scalar* old = data_.old.lm.data();
         for (label a = 0; a < dual_.nNodes(); ++a)
@@ -368,7 +367,7 @@ void Foam::solidBody::leap
             {
                 const label k = a*D.value + i;
                 old[k] = lm[k];
-                lm[k] += kick*rate[i];
+                lm[k] = keep*lm[k] + share*rate[i];
             }
         }
     });

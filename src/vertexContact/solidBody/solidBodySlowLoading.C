@@ -27,29 +27,6 @@ void Foam::solidBody::freePart(const label node, scalar* p) const
 }
 
 
-void Foam::solidBody::kickDamped(const scalar kick)
-{
-    const scalar T = damping_->tanhOf(kick);
-    const scalar share = kick/(1 + T);
-    const scalar keep = (1 - T)/(1 + T);
-    withDirections(dual_.nDim(), [&](auto D)
-    {
-        scalar* lm = data_.state.lm.data();
-        scalar* old = data_.old.lm.data();
-        for (label a = 0; a < dual_.nNodes(); ++a)
-        {
-            const scalar* rate = data_.rates.cdata() + a*data_.strideRates;
-            for (int i = 0; i < D.value; ++i)
-            {
-                const label k = a*D.value + i;
-                old[k] = lm[k];
-                lm[k] = keep*lm[k] + share*rate[i];
-            }
-        }
-    });
-}
-
-
 Foam::scalar Foam::solidBody::dampingPower
 (
     const scalarField& velocity,

@@ -35,27 +35,15 @@ Foam::vertexData::vertexData
     state(dual.nNodes(), dual.nDim(), kinematics, finiteStrain),
     old(state),
     nSJ(state.solvesJ ? 1 : 0),
-    nW(dual.nDim() + nSJ + dual.nDim()*dual.nDim()),
+    nW(paperLayout::nW(dual.nDim(), nSJ)),
     strideW(paddedStride(nW)),
-    nG
-    (
-        reconstruction == reconstructionType::none ? dual.nDim()
-      : reconstruction == reconstructionType::linear ? dual.nDim() + nSJ
-      : nW
-    ),
+    nG(paperLayout::nG(dual.nDim(), nSJ, reconstruction)),
     strideG(paddedStride(nG)),
     strideRates
     (
         variational
       ? variationalLayout::strideRates(dual.nDim())
-      : paddedStride
-        (
-            dual.nDim() + nSJ + 1
-          + (
-                reconstruction == reconstructionType::full
-              ? dual.nDim()*dual.nDim() : 0
-            )
-        )
+      : paddedStride(paperLayout::nRates(dual.nDim(), nSJ, reconstruction))
     ),
     W(dual.nNodes()*strideW),
     grad(variational ? 0 : dual.nNodes()*strideG*dual.nDim()),

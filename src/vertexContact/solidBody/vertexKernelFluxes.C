@@ -13,9 +13,8 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "vertexKernelTemplate.H"
-#include "acousticDissipation.H"
 #include "edgeRows.H"
-#include "vectorLimiter.H"
+#include "paperEdge.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -26,7 +25,6 @@ template<int D, int nSJ, reconstructionType R, bool finite>
 template<limiterType limiter, bool energy>
 void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
 {
-    typedef SolidVector<D, lanes> vectorLanes;
     typedef std::ptrdiff_t index;
 
     const label* edge = d.dual.edgeNodes().cdata();
@@ -222,182 +220,68 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
         }
         of.toLanes();
 
-        const auto changeA = [&](const int k)
+        paperEdge<D, nSJ, R, moves, lanes> at;
+        for (int i = 0; i < D; ++i)
         {
-            return 0.5*of.lane(atChangeA + k);
-        };
-        const auto changeB = [&](const int k)
-        {
-            return 0.5*of.lane(atChangeB + k);
-        };
-
-        // Direction of the waves (65)
-        vectorLanes area, c, n;
-        for (int i = 0; i < D; ++i) area[i] = of.lane(atArea + i);
-        if constexpr (finite && D == 3)
-        {
-            for (int i = 0; i < D; ++i) c[i] = 0.5*of.lane(atDeformed + i);
+            at.area[i] = of.lane(atArea + i);
+            at.difference[i] = of.lane(atDifference + i);
+            at.t[i] = 0.5*of.lane(atT + i);
+            if constexpr (full)
+            {
+                at.vAvg[i] = 0.5*of.lane(atSum + i);
+                at.tDifference[i] = of.lane(atTDifference + i);
+            }
         }
-        else if constexpr (finite && D == 2)
+        if constexpr (nSJ == 1) at.differenceSJ = of.lane(atDifference + D);
+        if constexpr (moves && D == 3)
         {
-            lanes F[4];
-            for (int k = 0; k < 4; ++k) F[k] = 0.5*of.lane(atDeformed + k);
-            planeArea(F, area[0], area[1], c.v);
+            for (int i = 0; i < D; ++i) at.c[i] = 0.5*of.lane(atDeformed + i);
+        }
+        else if constexpr (moves)
+        {
+            lanes meanF[4];
+            for (int k = 0; k < 4; ++k) meanF[k] = 0.5*of.lane(atDeformed + k);
+            planeArea(meanF, at.area[0], at.area[1], at.c.v);
         }
         else
         {
-            c = area;
+            at.c = at.area;
         }
-        const lanes cc = dot(c, c);
-        const lanes perC = inverseSquareRoot(cc + VSMALL);
-        for (int i = 0; i < D; ++i) n[i] = perC*c[i];
-
-        // Waves cross the deformed area where that is larger: so do the
-        // dissipation, which else lags behind the central fluxes (momentum)
-        // or outruns the time step (J), and the step
-        const lanes larger = moves ? max(cc, dot(area, area)) : cc;
-        lanes perWave = inverseSquareRoot(larger + VSMALL);
-        lanes waveC = larger*perWave;
+        for (int k = 0; !none && k < at.nChanges; ++k)
+        {
+            at.changeA[k] = 0.5*of.lane(atChangeA + k);
+            at.changeB[k] = 0.5*of.lane(atChangeB + k);
+        }
+        at.isFaster = factor;
         if (factor)
         {
-            lanes faster{};
             for (int l = 0; l < nLanes; ++l)
             {
-                faster[l] = max(factor[ends[2*l]], factor[ends[2*l + 1]]);
-            }
-            waveC *= faster;
-            perWave *= reciprocal(faster);
-        }
-
-        // States at both sides of mid-edge: jump and average of the velocity,
-        // average of the traction; with the differences of the nodes, first
-        vectorLanes difference, jump, vAvg, t, tDifference;
-        for (int i = 0; i < D; ++i)
-        {
-            difference[i] = jump[i] = of.lane(atDifference + i);
-            t[i] = 0.5*of.lane(atT + i);
-            if constexpr (full)
-            {
-                vAvg[i] = 0.5*of.lane(atSum + i);
-                tDifference[i] = of.lane(atTDifference + i);
-            }
-        }
-        const lanes differenceSJ =
-            nSJ == 1 ? of.lane(atDifference + D) : lanes{};
-        lanes jumpSJ = differenceSJ;
-
-        // Corrections of the averages: half of what the limited changes of both
-        // sides differ
-        vectorLanes vCorrection, tCorrection;
-
-        if constexpr (!none)
-        {
-            vectorLanes da, db;
-            for (int i = 0; i < D; ++i)
-            {
-                da[i] = changeA(i);
-                db[i] = changeB(i);
-            }
-            if constexpr (full)
-            {
-                slopeLimiter::limitVectors<limiter>(n, difference, da, db);
-                for (int i = 0; i < D; ++i)
-                {
-                    jump[i] -= da[i] + db[i];
-                    vCorrection[i] = 0.5*(da[i] - db[i]);
-                    vAvg[i] += vCorrection[i];
-                }
-            }
-            else
-            {
-                jump = slopeLimiter::dissipativeJump<limiter>
-                (
-                    n, difference, da, db
-                );
-            }
-
-            if constexpr (nSJ == 1)
-            {
-                jumpSJ -=
-                    slopeLimiter::limited<limiter, lanes>
-                    (
-                        changeA(D), differenceSJ
-                    )
-                  + slopeLimiter::limited<limiter, lanes>
-                    (
-                        changeB(D), differenceSJ
-                    );
-                if constexpr (linear)
-                {
-                    jumpSJ = select
-                    (
-                        jumpSJ*differenceSJ < lanes{}, lanes{}, jumpSJ
-                    );
-                }
-            }
-
-            if constexpr (full)
-            {
-                for (int i = 0; i < D; ++i)
-                {
-                    da[i] = db[i] = lanes{};
-                    for (int j = 0; j < D; ++j)
-                    {
-                        const int k = atP_(i, j);
-                        da[i] += changeA(k)*area[j];
-                        db[i] += changeB(k)*area[j];
-                    }
-                }
-                slopeLimiter::limitVectors<limiter>(n, tDifference, da, db);
-                for (int i = 0; i < D; ++i)
-                {
-                    tCorrection[i] = 0.5*(da[i] - db[i]);
-                }
+                at.faster[l] = max(factor[ends[2*l]], factor[ends[2*l + 1]]);
             }
         }
 
-        // Traction, contact-stick condition (34a): average of the stress and
-        // acoustic dissipation of the velocity jump, times area
-        vectorLanes dissipative;
-        acousticDissipation<D, lanes>
-        (
-            jump.v, n.v, uniform<lanes>(1), waveC, halfZp, halfZs,
-            dissipative.v
-        );
-        for (int i = 0; full && i < D; ++i) dissipative[i] += tCorrection[i];
+        at.template solve<limiter, energy>(halfZp, halfZs, perZp);
 
-        // Dissipation of J (63c), (64)
-        const lanes fluxJ =
-            nSJ == 1 ? perZp*cc*perWave*jumpSJ : lanes{};
-
-        for (int i = 0; i < D; ++i) flux.set(i, t[i] + dissipative[i]);
-        if constexpr (nSJ == 1) flux.set(D, fluxJ);
-        flux.set(atWave, waveC);
+        for (int i = 0; i < D; ++i) flux.set(i, at.traction[i]);
+        if constexpr (nSJ == 1) flux.set(D, at.fluxJ);
+        flux.set(atWave, at.wave);
         if constexpr (full)
         {
-            // Velocity of the kinematic fluxes (63a)
             for (int i = 0; i < D; ++i)
             {
                 for (int j = 0; j < D; ++j)
                 {
-                    flux.set(atRateF + i*D + j, vAvg[i]*area[j]);
+                    flux.set
+                    (
+                        atRateF + i*D + j, at.velocity[i]*at.area[j]
+                    );
                 }
             }
         }
-
-        // Discrete energy equation of the edge, what its fluxes take from the
-        // two nodes beyond the telescoping part (68), (72):
-        //   va.Pa C - vb.Pb C - (va - vb).t - vAvg.(Pa - Pb) C,
-        // in which the means of the nodes cancel
         if constexpr (energy)
         {
-            lanes power = fluxJ*differenceSJ;
-            for (int i = 0; i < D; ++i)
-            {
-                power += difference[i]*dissipative[i];
-                if constexpr (full) power += vCorrection[i]*tDifference[i];
-            }
-            for (int l = 0; l < some; ++l) dissipation += power[l];
+            for (int l = 0; l < some; ++l) dissipation += at.power[l];
         }
 
         // To the nodes

@@ -78,13 +78,7 @@ Foam::labelList Foam::generalInterface::candidates(const scalar time)
         boxes[i].max() += grown*vector::one;
         centres[i] = boxes[i].midpoint();
         radius[i] = 0.5*boxes[i].mag();
-        motions_[i].start
-        (
-            time,
-            reach_,
-            speed[i] + 0.1*surfaces_[i].body->material().cp(),
-            frame
-        );
+        motions_[i].start(time, reach_, speed[i], frame);
     }
     const autoPtr<pointTree> tree(newPointTree(centres, max(radius)));
 

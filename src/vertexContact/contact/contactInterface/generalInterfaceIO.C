@@ -281,7 +281,8 @@ Foam::keywordList Foam::generalInterface::keywords()
         {"pairs", "", "none", "dictionaries, each of sides and a law"},
         {"pairing", "", "nearestFace", "no other"},
         {
-            "updateDistance", "-", "0.1",
+            "updateDistance", "-",
+            Foam::name(surfaceMotion::usualDistance),
             "face widths a node may move until they are paired again"
         },
         {"law", "", "frictionless", "dictionary of the contact law, not tied"}

@@ -61,7 +61,6 @@ void Foam::obstacleInterface::solveForces(const bool firstStage)
     solidBody& body = *side_.body;
     const cornerStates& M = body.corners(side_.patchi);
     const scalarField& depth = body.depth(side_.patchi);
-    const septernion& pose = motion_.pose();
     const scalar deltaT = body.contact().step();
     const bool sticks = law().sticks();
 
@@ -70,8 +69,6 @@ void Foam::obstacleInterface::solveForces(const bool firstStage)
         const label k = planes_[i].corner;
         const label node = M.geometry.cornerNode[k];
         contactLaw::problem& p = problems_[i];
-        const point x(body.position(node));
-        const point X(pose.invTransformPoint(x));
         const vector area
         (
             body.currentArea
@@ -84,17 +81,13 @@ void Foam::obstacleInterface::solveForces(const bool firstStage)
         p.minus.v = body.contact().velocityWithout(node);
         p.minus.zp = M.zp;
         p.minus.zs = M.zs;
-        p.plus.v = motion_.velocity(X);
-        p.plus.zp = rigid*p.minus.zp;
-        p.plus.zs = rigid*max(p.minus.zs, VSMALL);
         p.area = M.geometry.cornerArea[k];
-        p.n = -pose.r().transform(planes_[i].n);
-        p.gap = (X - planes_[i].x) & planes_[i].n;
+        setObstacle(i, p);
 
         const contactLayer layer(body.surfaceCompliance(side_.patchi, k));
         layer.set
         (
-            p, stretch, (area & p.n) > 0.1*stretch, law().bonded(),
+            p, stretch, (area & p.n) > leastFacing*stretch, law().bonded(),
             sticks
           ? acousticRiemann::tangential(body.slide(node), p.n)
           : vector::zero,
@@ -115,6 +108,29 @@ void Foam::obstacleInterface::solveForces(const bool firstStage)
         count(p, width_[k], depth[k], p.area, p.area);
     }
     tellForces(firstStage);
+}
+
+
+void Foam::obstacleInterface::setObstacle
+(
+    const label i,
+    contactLaw::problem& p
+) const
+{
+    const septernion& pose = motion_.pose();
+    const plane& its = planes_[i];
+    const point X
+    (
+        pose.invTransformPoint(contactSurface::place(side_, its.corner).x)
+    );
+    p.plus.v = motion_.velocity(X);
+    p.plus.t = vector::zero;
+    p.plus.zp = rigid*p.minus.zp;
+    p.plus.zs = rigid*max(p.minus.zs, VSMALL);
+
+    // Out of the body
+    p.n = -pose.r().transform(its.n);
+    p.gap = (X - its.x) & its.n;
 }
 
 
@@ -236,6 +252,28 @@ Foam::labelList Foam::obstacleInterface::nearCorners() const
 }
 
 
+void Foam::obstacleInterface::findNearest
+(
+    pointField& X,
+    List<pointIndexHit>& hits,
+    vectorField& normals
+) const
+{
+    // The nodes of a patch are asked for once a corner: few, and seldom
+    const dualPatch& patch = side_.body->dual().patches()[side_.patchi];
+    X.setSize(patch.nCorners());
+    forAll(X, k)
+    {
+        X[k] = motion_.pose().invTransformPoint
+        (
+            side_.body->position(patch.cornerNode[k])
+        );
+    }
+    surface_->findNearest(X, scalarField(X.size(), sqr(GREAT)), hits);
+    surface_->getNormal(hits, normals);
+}
+
+
 bool Foam::obstacleInterface::outdated(const scalar time)
 {
     if (sideMotion_.exceeded(time))
@@ -254,24 +292,13 @@ bool Foam::obstacleInterface::outdated(const scalar time)
 void Foam::obstacleInterface::update(const scalar time, const bool)
 {
     const dualPatch& patch = side_.body->dual().patches()[side_.patchi];
-    const label n = patch.nCorners();
     motion_.setTime(time);
     oldPose_ = motion_.pose();
 
-    // Nearest points of the obstacle, in its own frame. The nodes of a patch
-    // are asked for once a corner: few, and seldom
-    pointField x(n);
-    forAll(x, k)
-    {
-        x[k] = oldPose_.invTransformPoint
-        (
-            side_.body->position(patch.cornerNode[k])
-        );
-    }
+    pointField x;
     List<pointIndexHit> hits;
-    surface_->findNearest(x, scalarField(n, sqr(GREAT)), hits);
     vectorField normals;
-    surface_->getNormal(hits, normals);
+    findNearest(x, hits, normals);
 
     // Within one width of a face there is a plane
     planes_.clear();
@@ -307,8 +334,9 @@ void Foam::obstacleInterface::update(const scalar time, const bool)
 
     allowed_ =
         nearest > leastWidth_
-      ? 0.5*(nearest - leastWidth_) + 0.4*leastWidth_
-      : 0.1*leastWidth_;
+      ? 0.5*(nearest - leastWidth_)
+      + surfaceMotion::largestDistance*leastWidth_
+      : surfaceMotion::usualDistance*leastWidth_;
     boundBox box(sideMotion_.box());
     reach_.clear();
     if (motion_.moves() && box.min().x() <= box.max().x())
@@ -319,10 +347,7 @@ void Foam::obstacleInterface::update(const scalar time, const bool)
     }
     scalar speed = sideMotion_.speed(vector::zero);
     if (cut_) reduce(speed, maxOp<scalar>());
-    sideMotion_.start
-    (
-        time, allowed_, speed + 0.1*side_.body->material().cp(), vector::zero
-    );
+    sideMotion_.start(time, allowed_, speed, vector::zero);
 }
 
 
@@ -349,7 +374,6 @@ void Foam::obstacleInterface::solve(const scalar time, const bool firstStage)
     cornerStates& M = side_.body->corners(side_.patchi);
     const scalarField& depth = side_.body->depth(side_.patchi);
     motion_.setTime(time);
-    const septernion& pose = motion_.pose();
 
     if (side_.body->variational())
     {
@@ -362,28 +386,18 @@ void Foam::obstacleInterface::solve(const scalar time, const bool firstStage)
         const label k = planes_[i].corner;
         contactLaw::problem& p = problems_[i];
 
-        const point x
-        (
-            side_.body->position(M.geometry.cornerNode[k])
-        );
-        const point X(pose.invTransformPoint(x));
-
         p.minus.v = M.v[k];
         p.minus.t = M.t[k]/M.stretch[k];
         p.minus.zp = impedance(M.waveFactor[k]*M.zp, M.stretch[k]);
         p.minus.zs = impedance(M.waveFactor[k]*M.zs, M.stretch[k]);
-        p.plus.v = motion_.velocity(X);
-        p.plus.t = vector::zero;
-        p.plus.zp = rigid*p.minus.zp;
-        p.plus.zs = rigid*max(p.minus.zs, VSMALL);
         p.area = M.geometry.cornerArea[k]*M.stretch[k];
-
-        // Out of the body
-        p.n = -pose.r().transform(planes_[i].n);
-        p.gap = (X - planes_[i].x) & planes_[i].n;
+        setObstacle(i, p);
 
         // As its mirror image would: half of the gap
-        setTouching(p, (M.n[k] & p.n) > 0.1, closed_[i], 0.5*depth[k]);
+        setTouching
+        (
+            p, (M.n[k] & p.n) > leastFacing, closed_[i], 0.5*depth[k]
+        );
         if (closed_[i] && p.gap < -depth[k])
         {
             lose(side_, k, -p.gap, depth[k]);

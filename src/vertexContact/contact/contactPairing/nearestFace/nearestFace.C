@@ -31,10 +31,6 @@ namespace
 
 using namespace Foam;
 
-//- The default of updateDistance, and its largest value [-]
-constexpr scalar usualDistance = 0.1;
-constexpr scalar largestDistance = 0.4;
-
 //- Largest product of the normals of faces that meet
 constexpr scalar leastOpposed = -0.5;
 
@@ -279,11 +275,12 @@ Foam::contactPairings::nearestFace::nearestFace
     checkKeywords(dict, keywords());
     updateDistance_ = dictionaryCheck::readNumberOrDefault
     (
-        dict, "updateDistance", dimless, usualDistance
+        dict, "updateDistance", dimless, surfaceMotion::usualDistance
     );
     dictionaryCheck::require
     (
-        updateDistance_ > 0 && updateDistance_ <= largestDistance,
+        updateDistance_ > 0
+     && updateDistance_ <= surfaceMotion::largestDistance,
         dict, "updateDistance", updateDistance_, "positive and at most 0.4"
     );
 
@@ -307,9 +304,10 @@ Foam::keywordList Foam::contactPairings::nearestFace::keywords()
     return
     {
         {
-            "updateDistance", "-", Foam::name(usualDistance),
+            "updateDistance", "-",
+            Foam::name(surfaceMotion::usualDistance),
             "face widths a node may move until they are paired again, at most "
-          + Foam::name(largestDistance)
+          + Foam::name(surfaceMotion::largestDistance)
         }
     };
 }
@@ -395,10 +393,11 @@ void Foam::contactPairings::nearestFace::follow
     const scalar search = searched(), apart = this->apart(minus, plus);
 
     // Pairs at up to the least width are there; others are further away
+    const scalar most = surfaceMotion::largestDistance*leastWidth_;
     const scalar allowed =
-        apart > search ? 0.5*(apart - search) + 0.4*leastWidth_
+        apart > search ? 0.5*(apart - search) + most
       : active() ? updateDistance_*leastWidth_
-      : 0.4*leastWidth_;
+      : most;
 
     // What both sides have in common changes nothing between them
     const vector frame(0.5*(minus.velocity + plus.velocity));
@@ -412,8 +411,7 @@ void Foam::contactPairings::nearestFace::follow
         (
             time,
             allowed,
-            side.speed + mag(side.velocity - frame)
-          + 0.1*side.side.body->material().cp(),
+            side.speed + mag(side.velocity - frame),
             frame
         );
     };

@@ -64,8 +64,9 @@ void Foam::surfaceMotion::start
     allowed_ = allowed;
     frame_ = frame;
     since_ = time;
+    const scalar fastest = speed + reserve*side_.body->material().cp();
     nextTime_ =
-        nodes_.size() ? time + allowed/max(speed, VSMALL) : scalar(GREAT);
+        nodes_.size() ? time + allowed/max(fastest, VSMALL) : scalar(GREAT);
 }
 
 
