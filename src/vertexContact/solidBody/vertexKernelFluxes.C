@@ -247,11 +247,8 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
         {
             at.c = at.area;
         }
-        for (int k = 0; !none && k < at.nChanges; ++k)
-        {
-            at.changeA[k] = 0.5*of.lane(atChangeA + k);
-            at.changeB[k] = 0.5*of.lane(atChangeB + k);
-        }
+        at.twiceA = of.from(atChangeA);
+        at.twiceB = of.from(atChangeB);
         at.isFaster = factor;
         if (factor)
         {

@@ -13,6 +13,7 @@ Description
 #include "acousticRiemann.H"
 #include "paperEdge.H"
 #include "Random.H"
+#include <cstring>
 
 using namespace Foam;
 
@@ -36,25 +37,43 @@ scalar any() { return 2*numbers().sample01<scalar>() - 1; }
 template<type R, class Number = scalar>
 using edge3 = paperEdge<3, 1, R, true, Number>;
 
-//- An edge between two nodes in any state; its stresses are t -+ tDifference/2
-template<type R>
-edge3<R> anyEdge()
+//- An edge between two nodes in any state, with the changes that it sees
+template<type R, class Number = scalar>
+struct anyEdge
+:
+    public edge3<R, Number>
 {
-    edge3<R> e;
-    for (int i = 0; i < 3; ++i)
+    Number a[edge3<R>::nChanges];
+    Number b[edge3<R>::nChanges];
+
+    anyEdge()
     {
-        e.area[i] = any();
-        e.c[i] = any();
-        e.difference[i] = any();
-        e.t[i] = any();
-        e.vAvg[i] = any();
-        e.tDifference[i] = any();
+        this->twiceA = a;
+        this->twiceB = b;
+        const auto fill = [](Number& of)
+        {
+            scalar each[sizeof(Number)/sizeof(scalar)];
+            for (scalar& x : each) x = any();
+            std::memcpy(&of, each, sizeof(of));
+        };
+        for
+        (
+            auto* v :
+            {
+                &this->area, &this->c, &this->difference, &this->t,
+                &this->vAvg, &this->tDifference
+            }
+        )
+        {
+            for (int i = 0; i < 3; ++i) fill((*v)[i]);
+        }
+        fill(this->differenceSJ);
+        for (Number& x : a) fill(x);
+        for (Number& x : b) fill(x);
     }
-    e.differenceSJ = any();
-    for (scalar& c : e.changeA) c = 0.5*any();
-    for (scalar& c : e.changeB) c = 0.5*any();
-    return e;
-}
+
+    anyEdge(const anyEdge&) = delete;
+};
 
 } // End anonymous namespace
 
@@ -65,7 +84,7 @@ TEST_CASE("the traction of an edge is that of stick (34a)", "[paper][serial]")
 {
     for (int k = 0; k < 100; ++k)
     {
-        edge3<type::none> e = anyEdge<type::none>();
+        anyEdge<type::none> e;
         e.c = e.area;
         e.solve<limiterType::none, false>(0.5*zp, 0.5*zs, perZp);
 
@@ -93,22 +112,21 @@ TEST_CASE("what is linear dissipates nothing", "[paper][serial]")
 {
     for (int k = 0; k < 100; ++k)
     {
-        // Both changes to mid-edge are half of the differences, and P is one
-        // whose differences times C are tDifference
-        edge3<type::full> e = anyEdge<type::full>();
+        // Twice the changes are the differences, and P is one whose
+        // differences times C are tDifference
+        anyEdge<type::full> e;
         scalar CC = 0;
         for (int i = 0; i < 3; ++i) CC += sqr(e.area[i]);
         for (int i = 0; i < 3; ++i)
         {
-            e.changeA[i] = 0.5*e.difference[i];
+            e.a[i] = e.difference[i];
             for (int j = 0; j < 3; ++j)
             {
-                e.changeA[e.atP(i, j)] =
-                    0.5*e.tDifference[i]*e.area[j]/CC;
+                e.a[e.atP(i, j)] = e.tDifference[i]*e.area[j]/CC;
             }
         }
-        e.changeA[3] = 0.5*e.differenceSJ;
-        for (int c = 0; c < e.nChanges; ++c) e.changeB[c] = e.changeA[c];
+        e.a[3] = e.differenceSJ;
+        for (int c = 0; c < e.nChanges; ++c) e.b[c] = e.a[c];
 
         e.solve<limiterType::BarthJespersen, true>(0.5*zp, 0.5*zs, perZp);
         for (int i = 0; i < 3; ++i)
@@ -126,11 +144,11 @@ TEST_CASE("limited jumps take energy", "[paper][serial]")
 {
     for (int k = 0; k < 1000; ++k)
     {
-        edge3<type::linear> e = anyEdge<type::linear>();
+        anyEdge<type::linear> e;
         e.solve<limiterType::BarthJespersen, true>(0.5*zp, 0.5*zs, perZp);
         CHECK(e.power > -1e-13);
 
-        edge3<type::none> first = anyEdge<type::none>();
+        anyEdge<type::none> first;
         first.solve<limiterType::none, true>(0.5*zp, 0.5*zs, perZp);
         CHECK(first.power > 0);
     }
@@ -139,13 +157,13 @@ TEST_CASE("limited jumps take energy", "[paper][serial]")
 
 TEST_CASE("edges in lanes are edges", "[paper][lanes][serial]")
 {
-    typedef edge3<type::full> oneType;
+    typedef anyEdge<type::full> oneType;
     oneType edges[nLanes];
-    edge3<type::full, lanes> many;
+    anyEdge<type::full, lanes> many;
     many.isFaster = true;
     for (int l = 0; l < nLanes; ++l)
     {
-        oneType& e = edges[l] = anyEdge<type::full>();
+        oneType& e = edges[l];
         e.isFaster = true;
         e.faster = many.faster[l] = 1.5 + any();
         for (int i = 0; i < 3; ++i)
@@ -160,8 +178,8 @@ TEST_CASE("edges in lanes are edges", "[paper][lanes][serial]")
         many.differenceSJ[l] = e.differenceSJ;
         for (int k = 0; k < e.nChanges; ++k)
         {
-            many.changeA[k][l] = e.changeA[k];
-            many.changeB[k][l] = e.changeB[k];
+            many.a[k][l] = e.a[k];
+            many.b[k][l] = e.b[k];
         }
         e.solve<limiterType::Venkatakrishnan, true>(0.5*zp, 0.5*zs, perZp);
     }
