@@ -1,0 +1,432 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+-------------------------------------------------------------------------------
+Description
+    What a region begins with: its material, and the fields of the start.
+
+\*---------------------------------------------------------------------------*/
+
+#include "solidBody.H"
+#include "regionFiles.H"
+#include "rigidMaterial.H"
+#include "dictionaryCheck.H"
+#include "fileError.H"
+#include "Time.H"
+#include "pointFields.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<class Type>
+Foam::autoPtr
+<
+    Foam::GeometricField<Type, Foam::pointPatchField, Foam::pointMesh>
+>
+Foam::solidBody::readIfPresent
+(
+    const word& name,
+    const dimensionSet& dims,
+    fileName* from
+) const
+{
+    typedef GeometricField<Type, pointPatchField, pointMesh> pointFieldType;
+
+    IOobject io
+    (
+        name, time_.timeName(), mesh_,
+        IOobject::MUST_READ, IOobject::NO_WRITE, false
+    );
+
+    autoPtr<pointFieldType> field;
+    fileName file(io.objectPath());
+    if (dictionaryCheck::isThere<pointFieldType>(io))
+    {
+        field.reset(new pointFieldType(io, pointMesh::New(mesh_)));
+    }
+    else
+    {
+        file = regionFiles::sharedField(name, mesh_);
+        if (file.empty()) return field;
+
+        const dictionary dict(regionFiles::readShared(file));
+        field.reset
+        (
+            new pointFieldType
+            (
+                IOobject
+                (
+                    name, time_.timeName(), mesh_,
+                    IOobject::NO_READ, IOobject::NO_WRITE, false
+                ),
+                pointMesh::New(mesh_),
+                dimensioned<Type>
+                (
+                    name, dict.get<dimensionSet>("dimensions"), Zero
+                )
+            )
+        );
+        field->primitiveFieldRef() =
+            Field<Type>("internalField", dict, mesh_.nPoints());
+    }
+    if (from) *from = file;
+
+    if (field->dimensions() != dims)
+    {
+        FatalFileErrorInFunction(file)
+            << "Keyword 'dimensions' is " << field->dimensions()
+            << ": it must be " << dims << exit(FatalIOError);
+    }
+    for (const Type& value : field->primitiveField())
+    {
+        for (direction c = 0; c < pTraits<Type>::nComponents; ++c)
+        {
+            if (!std::isfinite(component(value, c)))
+            {
+                FatalFileErrorInFunction(file)
+                    << "Keyword 'internalField': a value is not finite"
+                    << exit(FatalIOError);
+            }
+        }
+    }
+    return field;
+}
+
+
+Foam::autoPtr<Foam::materialModel> Foam::solidBody::readMaterial() const
+{
+    const dictionary dict(regionFiles::material(mesh_));
+    autoPtr<materialModel> law;
+    if (rigidMaterial::describedBy(dict))
+    {
+        law.reset(new rigidMaterial(rigidMass(dict, dual_).density));
+    }
+    else
+    {
+        law = materialModel::New(dict, options_.jacobian);
+    }
+    law->setInitialStretch(readInitialStretch(*law));
+    return law;
+}
+
+
+Foam::initialStretch Foam::solidBody::readInitialStretch
+(
+    const materialModel& law
+) const
+{
+    fileName file;
+    const auto field = readIfPresent<tensor>("F0", dimless, &file);
+    if (!field.valid()) return initialStretch();
+
+    // That of the case is for the regions that can have it
+    if
+    (
+        file == regionFiles::sharedField("F0", mesh_)
+     && !law.takesInitialStretch()
+    )
+    {
+        return initialStretch();
+    }
+    if (options_.scheme != schemeType::variational)
+    {
+        FatalFileErrorInFunction(file)
+            << "The field F0, an initial stretch, does not go with the scheme "
+            << "of preset paper" << exit(FatalIOError);
+    }
+    if (!law.takesInitialStretch())
+    {
+        FatalFileErrorInFunction(file)
+            << "The field F0, an initial stretch, does not go with type "
+            << law.type() << " of region '" << name_
+            << "': it is one of elastic laws." << nl
+            << (
+                   law.plastic()
+                 ? "Give the initial state of a plastic one by the field CpInv"
+                 : "Remove the field"
+               )
+            << exit(FatalIOError);
+    }
+
+    const label d = dual_.nDim();
+    const FixedList<label, 3> dir(allDirections());
+
+    tensorField local(dual_.nNodes());
+    forAll(local, a)
+    {
+        const tensor& F0 = field->primitiveField()[dual_.nodePoint()[a]];
+        const char* wrong = det(F0) > 0 ? nullptr : "its determinant must be "
+            "positive";
+        for (label i = 0; i < 3; ++i)
+        {
+            for (label j = 0; j < 3; ++j)
+            {
+                local[a][3*i + j] = F0[3*dir[i] + dir[j]];
+                if (i != j && max(i, j) >= d && local[a][3*i + j] != 0)
+                {
+                    wrong = "directions that are left out must not be sheared";
+                }
+            }
+        }
+        if (d == 1 && local[a].yy() != local[a].zz())
+        {
+            wrong = "both directions that are left out must have the same "
+                "stretch";
+        }
+        if (wrong)
+        {
+            FatalFileErrorInFunction(file)
+                << "Keyword 'internalField': F0 is " << F0 << " at "
+                << mesh_.points()[dual_.nodePoint()[a]] << ": " << wrong
+                << exit(FatalIOError);
+        }
+    }
+    return initialStretch(local, d);
+}
+
+
+void Foam::solidBody::readState()
+{
+    conservedState& s = data_.state;
+    const label d = dual_.nDim();
+    const label n = dual_.nNodes();
+    const FixedList<label, 3>& dir = dual_.directions();
+    const labelList& point = dual_.nodePoint();
+
+    if (pointU_.dimensions() != dimVelocity)
+    {
+        FatalFileErrorInFunction(pointUFile_)
+            << "Keyword 'dimensions' is " << pointU_.dimensions()
+            << ": it must be " << dimVelocity << exit(FatalIOError);
+    }
+    for (const vector& v : pointU_.primitiveField())
+    {
+        if (!(std::isfinite(v.x() + v.y() + v.z())))
+        {
+            FatalFileErrorInFunction(pointUFile_)
+                << "Keyword 'internalField': a value is not finite"
+                << exit(FatalIOError);
+        }
+    }
+
+    const auto lm =
+        readIfPresent<vector>("lm", dimDensity*dimVelocity);
+    const auto D = readIfPresent<vector>("pointD", dimLength);
+    const auto F = readIfPresent<tensor>("F", dimless);
+
+    for (label a = 0; a < n; ++a)
+    {
+        for (label i = 0; i < d; ++i)
+        {
+            s.lm[a*d + i] =
+                lm.valid()
+              ? lm().primitiveField()[point[a]][dir[i]]
+              : data_.rho*pointU_.primitiveField()[point[a]][dir[i]];
+            if (D.valid())
+            {
+                s.disp[a*d + i] = D().primitiveField()[point[a]][dir[i]];
+            }
+            if (F.valid())
+            {
+                for (label j = 0; j < d; ++j)
+                {
+                    s.F[(a*d + i)*d + j] =
+                        F().primitiveField()[point[a]][3*dir[i] + dir[j]];
+                }
+            }
+        }
+    }
+
+    if (data_.variational && !rigid_.valid())
+    {
+        // Also where this processor has no node of the body
+        if (d > 1)
+        {
+            const auto rush =
+                readIfPresent<vector>("acceleration", dimAcceleration);
+            for (label a = 0; a < n && rush.valid(); ++a)
+            {
+                for (label i = 0; i < d; ++i)
+                {
+                    scheme_->acceleration()[a*d + i] =
+                        rush().primitiveField()[point[a]][dir[i]];
+                }
+            }
+        }
+        nBad_ = scheme_->deform();
+    }
+    else if (rigid_.valid())
+    {
+        // fitRigid() makes it of where the nodes are
+    }
+    else if (F.valid())
+    {
+        const auto H =
+            s.solvesH
+          ? readIfPresent<tensor>("H", dimless)
+          : autoPtr<pointTensorField>();
+        const auto J =
+            s.solvesJ
+          ? readIfPresent<scalar>("J", dimless)
+          : autoPtr<pointScalarField>();
+
+        for (label a = 0; a < n; ++a)
+        {
+            const scalar* Fs = s.F.cdata();
+            if (s.solvesH && d == 3)
+            {
+                const SolidTensor<3> G = cofactor(loadF<3>(Fs, a));
+                for (label k = 0; k < 9; ++k)
+                {
+                    s.H[9*a + placeH(k)] =
+                        H.valid() ? H().primitiveField()[point[a]][k]
+                      : G.in[k];
+                }
+            }
+            else if (s.solvesH)
+            {
+                const label out = 3 - dir[0] - dir[1];
+                s.H[a] =
+                    H.valid() ? H().primitiveField()[point[a]][4*out]
+                  : determinant(loadF<2>(Fs, a));
+            }
+            if (s.solvesJ)
+            {
+                s.J[a] =
+                    J.valid() ? J().primitiveField()[point[a]]
+                  : d == 1 ? determinant(loadF<1>(Fs, a))
+                  : d == 2 ? determinant(loadF<2>(Fs, a))
+                  : determinant(loadF<3>(Fs, a));
+            }
+        }
+    }
+    else if (D.valid())
+    {
+        deformationFromDisplacement();
+    }
+
+    if (material_->plastic())
+    {
+        const auto C = readIfPresent<symmTensor>("CpInv", dimless);
+        const auto strain = readIfPresent<scalar>("epsilonPEq", dimless);
+        if (material_->initialTemperature() > 0)
+        {
+            // Also where this processor has no node of the body
+            const auto T = readIfPresent<scalar>("pointT", dimTemperature);
+            for (label a = 0; a < n && T.valid(); ++a)
+            {
+                s.temperature[a] = T().primitiveField()[point[a]];
+                if (!(s.temperature[a] > 0))
+                {
+                    FatalFileErrorInFunction(T().objectPath())
+                        << "Keyword 'internalField': a temperature is "
+                        << s.temperature[a] << " K, it must be positive"
+                        << exit(FatalIOError);
+                }
+            }
+        }
+        const label out = d == 2 ? 3 - dir[0] - dir[1] : (dir[0] + 1) % 3;
+        for (label a = 0; a < n; ++a)
+        {
+            if (C.valid())
+            {
+                const tensor full(C().primitiveField()[point[a]]);
+                scalar* p = s.Cpi.data() + a*s.strideCpi;
+                for (label i = 0; i < d; ++i)
+                {
+                    for (label j = i; j < d; ++j)
+                    {
+                        *p++ = full[3*dir[i] + dir[j]];
+                    }
+                }
+                if (d < 3) *p = full[4*out];
+            }
+            if (strain.valid())
+            {
+                s.epsilonPEq[a] = strain().primitiveField()[point[a]];
+            }
+        }
+    }
+
+    const scalar removed = returnReduce
+    (
+        symmetry_.project(s.lm.data(), d), maxOp<scalar>()
+    );
+    if (removed > 1e-10*data_.rho*data_.cp)
+    {
+        WarningInFunction
+            << "Region " << name_ << ": an initial velocity of up to "
+            << removed/data_.rho << " m/s normal to a symmetry plane was "
+            << "removed" << endl;
+    }
+    if (data_.variational) checkStart();
+
+    if (contact_.on())
+    {
+        const auto status = readIfPresent<scalar>("contactStatus", dimless);
+        if (status.valid())
+        {
+            for (label a = 0; a < n; ++a)
+            {
+                contact_.status[a] = status().primitiveField()[point[a]];
+            }
+        }
+    }
+}
+
+
+void Foam::solidBody::deformationFromDisplacement()
+{
+    if (data_.variational)
+    {
+        if (scheme_.valid()) scheme_->deform();
+        return;
+    }
+
+    // The gradient of the displacement in place of the velocity
+    conservedState& s = data_.state;
+    const label d = dual_.nDim();
+    data_.W = Zero;
+    for (label a = 0; a < dual_.nNodes(); ++a)
+    {
+        for (label i = 0; i < d; ++i)
+        {
+            data_.W[a*data_.strideW + i] = s.disp[a*d + i];
+        }
+    }
+    computeGradients(true);
+
+    for (label a = 0; a < dual_.nNodes(); ++a)
+    {
+        const scalar* grad = data_.grad.cdata() + a*d*data_.strideG;
+        for (label i = 0; i < d; ++i)
+        {
+            for (label j = 0; j < d; ++j)
+            {
+                s.F[(a*d + i)*d + j] += grad[j*data_.strideG + i];
+            }
+        }
+
+        const scalar* F = s.F.cdata();
+        if (d == 3)
+        {
+            const SolidTensor<3> H = cofactor(loadF<3>(F, a));
+            for (label k = 0; k < s.strideH; ++k)
+            {
+                s.H[9*a + placeH(k)] = H.in[k];
+            }
+            if (s.solvesJ) s.J[a] = determinant(loadF<3>(F, a), H);
+        }
+        else if (d == 2)
+        {
+            if (s.solvesH) s.H[a] = determinant(loadF<2>(F, a));
+            if (s.solvesJ) s.J[a] = determinant(loadF<2>(F, a));
+        }
+        else if (s.solvesJ)
+        {
+            s.J[a] = determinant(loadF<1>(F, a));
+        }
+    }
+}
+
+// ************************************************************************* //
