@@ -139,10 +139,16 @@ Foam::fileName Foam::regionFiles::sharedField
     const polyMesh& mesh
 )
 {
+    // No others: names such as F may be those of anything
+    static const wordList start
+    (
+        {"pointU", "pointD", "F0", "CpInv", "epsilonPEq", "pointT"}
+    );
+    if (isCase(mesh) || !start.found(name)) return fileName();
+
     const Time& runTime = mesh.time();
     const fileName file(runTime.globalPath()/runTime.timeName()/name);
-    return
-        isCase(mesh) || !fileHandler().isFile(file) ? fileName() : file;
+    return fileHandler().isFile(file) ? file : fileName();
 }
 
 
