@@ -13,7 +13,8 @@ Description
     Of each region that both cases have, as far as the other has them: pointU,
     with the boundary conditions of this case, pointD, F0, CpInv (with
     determinant 1 again), epsilonPEq, pointT, and contactSlide, which is what
-    friction remembers. They go from point to point (pointMapping) in the
+    friction remembers. What else a run keeps (contactStatus, acceleration)
+    begins anew. They go from point to point (pointMapping) in the
     reference configuration, that of the meshes as they were made. The solver
     makes momentum and F anew. Regions that only this case has begin as they
     would.
@@ -107,7 +108,8 @@ labelPair counts(const polyMesh& mesh, const boolList& outside)
 
 
 //- The values of a point field of the other mesh, in its own file or in that of
-//  the case
+//  the case. Of F0 only its own: what that of a case is for depends on the
+//  region, and a region with a file must be one that can take it
 template<class Type>
 bool readValues(const word& name, const polyMesh& mesh, Field<Type>& values)
 {
@@ -119,7 +121,10 @@ bool readValues(const word& name, const polyMesh& mesh, Field<Type>& values)
         IOobject::MUST_READ, IOobject::NO_WRITE, false
     );
     const bool own = dictionaryCheck::isThere<pointFieldType>(io);
-    const fileName shared(regionFiles::sharedField(name, mesh));
+    const fileName shared
+    (
+        name == "F0" ? fileName() : regionFiles::sharedField(name, mesh)
+    );
     if (!own && shared.empty()) return false;
 
     // Boundary conditions of the other case are no matter of ours

@@ -127,7 +127,7 @@ Foam::fileName Foam::regionFiles::velocityFile(const polyMesh& mesh)
     IOobject own(input("pointU", mesh.time().timeName(), mesh));
     const fileName shared(sharedField(own.name(), mesh));
     return
-        shared.empty() || dictionaryCheck::isThere<pointVectorField>(own)
+        dictionaryCheck::isThere<pointVectorField>(own) || shared.empty()
       ? own.objectPath()
       : shared;
 }

@@ -312,13 +312,15 @@ void Foam::solidBody::readState()
         if (material_->initialTemperature() > 0)
         {
             // Also where this processor has no node of the body
-            const auto T = readIfPresent<scalar>("pointT", dimTemperature);
+            fileName file;
+            const auto T =
+                readIfPresent<scalar>("pointT", dimTemperature, &file);
             for (label a = 0; a < n && T.valid(); ++a)
             {
                 s.temperature[a] = T().primitiveField()[point[a]];
                 if (!(s.temperature[a] > 0))
                 {
-                    FatalFileErrorInFunction(T().objectPath())
+                    FatalFileErrorInFunction(file)
                         << "Keyword 'internalField': a temperature is "
                         << s.temperature[a] << " K, it must be positive"
                         << exit(FatalIOError);
@@ -377,12 +379,6 @@ void Foam::solidBody::readState()
 
 void Foam::solidBody::deformationFromDisplacement()
 {
-    if (data_.variational)
-    {
-        if (scheme_.valid()) scheme_->deform();
-        return;
-    }
-
     // The gradient of the displacement in place of the velocity
     conservedState& s = data_.state;
     const label d = dual_.nDim();

@@ -71,7 +71,7 @@ void Foam::solidSystem::chooseSteps(const bool adjusts)
         // Forces act over the mean of two steps. After a longer one that is
         // within the bound with a shorter one, so that ratios stay as they are
         // where the step falls little by little: each change of a ratio has its
-        // error
+        // error. Where it falls by a third and more at once, that is no matter
         const scalar bound =
             control_.maxCo()*ratios_->commonStep(recentStable_, longest);
         const scalar rest = 2*bound - commonStep_;

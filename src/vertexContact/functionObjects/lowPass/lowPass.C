@@ -12,18 +12,13 @@
 
 Foam::lowPass::lowPass(const scalar frequency, const label nPoles)
 :
+    frequency_(frequency),
     omega_(constant::mathematical::twoPi*frequency),
     nPoles_(nPoles)
 {}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-Foam::scalar Foam::lowPass::frequency() const
-{
-    return omega_/constant::mathematical::twoPi;
-}
-
 
 void Foam::lowPass::advance
 (

@@ -6,6 +6,7 @@
 
 #include "AMI.H"
 #include "contactSurface.H"
+#include "scalarRecord.H"
 #include "solidBody.H"
 #include "AMIPatchToPatchInterpolation.H"
 #include "faceAreaIntersect.H"
@@ -195,7 +196,7 @@ Foam::contactPairings::AMI::AMI
     );
 
     // Faces of the plus side to where the minus side is
-    typedef FixedList<scalar, sizeof(contactFace)/sizeof(scalar)> faceBytes;
+    typedef FixedList<scalar, scalarRecord::size<contactFace>()> faceBytes;
     List<faceBytes> bytes(target.index.size());
     forAll(bytes, f)
     {

@@ -281,7 +281,8 @@ Foam::contactPairings::nearestFace::nearestFace
     (
         updateDistance_ > 0
      && updateDistance_ <= surfaceMotion::largestDistance,
-        dict, "updateDistance", updateDistance_, "positive and at most 0.4"
+        dict, "updateDistance", updateDistance_, ("positive and at most "
+      + Foam::name(surfaceMotion::largestDistance)).c_str()
     );
 
     const contactSurface::sizes a(contactSurface::sizesOf(minus_));

@@ -103,8 +103,7 @@ bool Foam::surfaceMotion::exceeded
     }
     if (share < 1) return false;
 
-    // As at the start: a tenth of the waves' speed on top of that of now
-    const scalar soon = speed(frame_) + 0.1*side_.body->material().cp();
+    const scalar soon = speed(frame_) + reserve*side_.body->material().cp();
     nextTime_ = max(nextTime_, time + (allowed_ - std::sqrt(most))/soon);
     return false;
 }
