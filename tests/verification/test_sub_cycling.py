@@ -136,6 +136,58 @@ def test_sudden_load_for_long(tmp_path, figures, law):
                  abs(e["total:balance"][-1])/strain, 0.01)
 
 
+def turning(folder, E=100, pairing="AMI", time=63, **control):
+    """A soft body that turns with a stiff one tied to it; a turn takes 63."""
+    def spin(X):
+        return 0.1*np.cross((0, 0, 1), X - (0.5, 0.6, 0))
+
+    soft = Body(cells=(6, 6), name="soft", velocity=spin,
+                material=elastic(1, "neoHookean", 0.3),
+                sides={"top": "contact"})
+    stiff = Body(cells=(3, 2), name="stiff", start=(0.3, 1, 0),
+                 size=(0.4, 0.2, 1), velocity=spin,
+                 material=elastic(E, "neoHookean", 0.3),
+                 sides={"bottom": "contact"})
+    return finished(SmallCase(
+        folder, (stiff, soft), time, {
+            "bond": interface(("stiff", "bottom"), ("soft", "top"), "tied",
+                              pairing=pairing)},
+        preset=DEFAULT, functions=("contactForces",), control={
+            "subCycling": "yes", "maxCo": 0.9, **control}))
+
+
+@pytest.mark.parametrize("pairing", ("nearestFace", "AMI"))
+@pytest.mark.parametrize("E, most", ((4, 64), (100, 64), (100, 2)))
+def test_tied_bodies_that_turn(tmp_path, figures, E, most, pairing):
+    """The bond gives no energy, and does not part them."""
+    case = turning(tmp_path/"case", E, pairing, maxSubCycles=most)
+    e = case.energies
+    own = e["total:kinetic"] + e["total:strain"]
+    top, bottom = (
+        np.mean((X + case.at("pointD", region=name))[
+            np.abs(X[:, 1] - 1) < 1e-9], axis=0)
+        for name, X in ((name, case.X(name)) for name in ("soft", "stiff")))
+    with figures(f"turn, tied, 1:{E}, at most {most} steps, {pairing}") as f:
+        f.atMost("rise of the energy / initial", rise(own), 0.003)
+        f.within("energy left / initial", own[-1]/own[0], 1, 0.005)
+        f.atMost("middle of the bond from the other side / cell",
+                 6*np.linalg.norm(top - bottom), 0.1)
+
+
+def test_angular_momentum(tmp_path, figures):
+    """A force on the body with the longer step acts where that body is in the
+    middle of its step: its moment is exact to first order in the step."""
+    drifts = []
+    for maxCo in 0.9, 0.45:
+        L = turning(tmp_path/f"{maxCo}", time=20,
+                    maxCo=maxCo).angularMomentumOf()[:, 2]
+        drifts.append(max(abs(L/L[0] - 1)))
+    with figures("turn, tied, angular momentum, a third of a turn") as f:
+        f.atMost("drift", drifts[0], 2e-4)
+        f.atMost("with half of the step / with the whole",
+                 drifts[1]/drifts[0], 0.6)
+
+
 def block(folder, own, law, material="neoHookean", cells=(6, 6), speed=0.1,
           **control):
     """A stiff block that slides into a soft one, which stands on a floor."""

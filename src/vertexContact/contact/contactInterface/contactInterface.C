@@ -9,23 +9,6 @@
 #include "obstacleInterface.H"
 #include "solidBody.H"
 #include "dictionaryCheck.H"
-#include "IStringStream.H"
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-Foam::autoPtr<Foam::contactLaw> Foam::contactInterface::newLaw
-(
-    const dictionary& dict
-)
-{
-    return contactLaw::New
-    (
-        dict.found("law")
-      ? dict.subDict("law")
-      : dictionary(IStringStream("type frictionless;")())
-    );
-}
-
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
@@ -290,7 +273,7 @@ Foam::contactInterface::contactInterface
 :
     name_(name),
     dictName_(name),
-    law_(newLaw(dict))
+    law_(contactLaw::ofInterface(dict))
 {}
 
 
@@ -347,7 +330,7 @@ void Foam::contactInterface::append
 
 void Foam::contactInterface::readLaw(const dictionary& dict)
 {
-    autoPtr<contactLaw> law(newLaw(dict));
+    autoPtr<contactLaw> law(contactLaw::ofInterface(dict));
     if (law->bonded() != law_->bonded())
     {
         FatalIOErrorInFunction(dict)

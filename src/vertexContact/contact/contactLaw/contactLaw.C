@@ -6,6 +6,7 @@
 
 #include "contactLaw.H"
 #include "dictionaryCheck.H"
+#include "IStringStream.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -35,6 +36,20 @@ Foam::autoPtr<Foam::contactLaw> Foam::contactLaw::New(const dictionary& dict)
     }
 
     return constructorPtr(dict);
+}
+
+
+Foam::autoPtr<Foam::contactLaw> Foam::contactLaw::ofInterface
+(
+    const dictionary& dict
+)
+{
+    return New
+    (
+        dict.found("law")
+      ? dict.subDict("law")
+      : dictionary(IStringStream("type frictionless;")())
+    );
 }
 
 

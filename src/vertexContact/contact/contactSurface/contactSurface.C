@@ -142,17 +142,20 @@ contactFace makeFace
     return f;
 }
 
-//- Current positions of the nodes of a body, in its solution directions
+//- Positions of the nodes of a body, current or reference ones, in its solution
+//  directions
 struct positions
 {
     const solidBody& body;
+    const bool current;
     const label d;
     const scalar* X;
     const scalar* disp;
 
-    explicit positions(const contactSide& side)
+    positions(const contactSide& side, const bool current)
     :
         body(*side.body),
+        current(current),
         d(body.dual().nDim()),
         X(body.dual().nodePosition().cdata()),
         disp(body.state().disp.cdata())
@@ -160,7 +163,7 @@ struct positions
 
     scalar component(const label node, const label i) const
     {
-        return X[node*d + i] + disp[node*d + i];
+        return X[node*d + i] + (current ? disp[node*d + i] : 0);
     }
 
     point reference(const label node) const
@@ -170,7 +173,10 @@ struct positions
 
     point operator()(const label node) const
     {
-        return reference(node) + body.expand(disp + node*d);
+        return
+            current
+          ? reference(node) + body.expand(disp + node*d)
+          : reference(node);
     }
 };
 
@@ -179,13 +185,14 @@ template<class Wanted, class Function>
 void outlines
 (
     const contactSide& side,
+    const bool current,
     const Wanted& wanted,
     const Function& f
 )
 {
     const solidBody& body = *side.body;
     const dualPatch& patch = body.dual().patches()[side.patchi];
-    const positions at(side);
+    const positions at(side, current);
     const vector out(contactSurface::outOfPlane(side));
 
     for (label facei = 0; facei < patch.nFaces(); ++facei)
@@ -346,7 +353,7 @@ Foam::contactSurface::sizes Foam::contactSurface::sizesOf
 {
     const dualPatch& patch = side.body->dual().patches()[side.patchi];
     const scalarField& depth = side.body->depth(side.patchi);
-    const positions at(side);
+    const positions at(side, false);
     sizes all;
     for (label facei = 0; facei < patch.nFaces(); ++facei)
     {
@@ -374,14 +381,15 @@ Foam::contactSurface::sizes Foam::contactSurface::sizesOf
 }
 
 
-Foam::contactFace Foam::contactSurface::currentFace
+Foam::contactFace Foam::contactSurface::face
 (
     const contactSide& side,
     const globalIndex& corners,
-    const label facei
+    const label facei,
+    const bool current
 )
 {
-    return makeFace(side, corners, outOfPlane(side), facei, true);
+    return makeFace(side, corners, outOfPlane(side), facei, current);
 }
 
 
@@ -405,11 +413,13 @@ Foam::contactSurface::outline::outline
 Foam::contactSurface::snapshot::snapshot
 (
     const contactSide& side,
+    const bool current,
     const bool whole,
     const vector& velocity
 )
 :
     side(side),
+    current(current),
     box(boundBox::invertedBox),
     velocity(velocity),
     speed(0),
@@ -417,7 +427,7 @@ Foam::contactSurface::snapshot::snapshot
 {
     const solidBody& body = *side.body;
     const labelList& cornerNode = body.dual().patches()[side.patchi].cornerNode;
-    const positions x(side);
+    const positions x(side, current);
     for (const label a : cornerNode) box.add(x(a));
 
     const scalar* lm = body.state().lm.cdata();
@@ -436,7 +446,7 @@ Foam::contactSurface::snapshot::snapshot
     faces.reserve(body.dual().patches()[side.patchi].nFaces());
     outlines
     (
-        side, [](const label) { return true; },
+        side, current, [](const label) { return true; },
         [&](const outline& o) { faces.append(o); axis += o.n; }
     );
 }
@@ -446,7 +456,8 @@ Foam::PtrList<Foam::contactSurface::snapshot>
 Foam::contactSurface::snapshots
 (
     const UList<contactSide>& sides,
-    const bool whole
+    const bool whole,
+    const bool current
 )
 {
     const label n = sides.size();
@@ -485,7 +496,10 @@ Foam::contactSurface::snapshots
         all.set
         (
             i,
-            new snapshot(sides[i], whole, vector(m[0], m[1], m[2])/m[3])
+            new snapshot
+            (
+                sides[i], current, whole, vector(m[0], m[1], m[2])/m[3]
+            )
         );
         for (direction c = 0; c < 3; ++c)
         {
@@ -577,10 +591,11 @@ Foam::contactSurface::snapshot::in(const boundBox& box) const
     }
 
     const dualPatch& patch = side.body->dual().patches()[side.patchi];
-    const positions x(side);
+    const positions x(side, current);
     outlines
     (
         side,
+        current,
         [&](const label facei)
         {
             for (label i = 0; i < d; ++i)

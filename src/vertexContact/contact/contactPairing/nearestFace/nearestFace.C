@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "nearestFace.H"
+#include "contactLaw.H"
 #include "solidBody.H"
 #include "dictionaryCheck.H"
 #include "pointGrid.H"
@@ -95,7 +96,10 @@ Foam::contactFaceList Foam::contactPairings::nearestFace::oppositeFaces
             {
                 some.append
                 (
-                    contactSurface::currentFace(plus_, plusCorners_, o.face)
+                    contactSurface::face
+                    (
+                        plus_, plusCorners_, o.face, plus.current
+                    )
                 );
             }
         }
@@ -228,7 +232,7 @@ void Foam::contactPairings::nearestFace::pairFaces
         Foam::sort(found);
         const contactFace face
         (
-            contactSurface::currentFace(minus_, minusCorners_, a.face)
+            contactSurface::face(minus_, minusCorners_, a.face, !bonded_)
         );
         for (const label i : found)
         {
@@ -237,9 +241,9 @@ void Foam::contactPairings::nearestFace::pairFaces
                 where[i] = faces.size();
                 faces.append
                 (
-                    contactSurface::currentFace
+                    contactSurface::face
                     (
-                        plus_, plusCorners_, others[i].face
+                        plus_, plusCorners_, others[i].face, !bonded_
                     )
                 );
             }
@@ -269,6 +273,7 @@ Foam::contactPairings::nearestFace::nearestFace
 :
     contactPairing(minus, plus),
     oneBody_(minus.body == plus.body),
+    bonded_(contactLaw::ofInterface(dict)->bonded()),
     minusMotion_(minus),
     plusMotion_(plus)
 {
@@ -292,7 +297,10 @@ Foam::contactPairings::nearestFace::nearestFace
 
     const PtrList<contactSurface::snapshot> now
     (
-        contactSurface::snapshots(List<contactSide>({minus, plus}), false)
+        contactSurface::snapshots
+        (
+            List<contactSide>({minus, plus}), false, !bonded_
+        )
     );
     update(minus.body->mesh().time().value(), now[0], now[1]);
 }
