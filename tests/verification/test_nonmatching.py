@@ -364,3 +364,47 @@ def test_sliding_stops_as_friction_says(tmp_path, figures):
         f.atMost("largest gain by contact in a step / initial kinetic energy",
                  np.diff(work).max()/start, 1e-4)
         f.atMost("work of contact / initial kinetic energy", work[-1]/start, 0)
+
+
+# Sliding under pressure
+
+@pytest.mark.parametrize("distortion", (0, 0.2))
+@pytest.mark.parametrize("distance", (0.1, 0.4))
+@pytest.mark.parametrize("dimensions", (2, 3))
+def test_uniform_pressure_while_sliding(tmp_path, figures, dimensions, distance,
+                                        distortion):
+    """A block under a uniform pressure slides, in 3D obliquely, on a flat rigid
+    body with other faces, by ten of them: its strain stays as it is, however
+    far nodes move until they are paired again."""
+    strain, elastic = 0.01, {"type": "linearElastic", "rho": 1, "E": 1, "nu": 0}
+    block = Body(
+        cells=(7, 3, 5)[:dimensions], name="block", material=elastic,
+        velocity=(0.2, 0, 0.05 if dimensions == 3 else 0),
+        displacement=lambda X: -strain*X[:, 1:2]*(0, 1, 0),
+        moved=distorted(distortion, dimensions=dimensions),
+        sides={"bottom": "contact", "top": condition(
+            "traction", traction=(0, -strain, 0))})
+    deep = {2: 0, 3: 0.2}[dimensions]
+    base = Body(
+        cells=(30, 2, 11)[:dimensions], name="base",
+        start=(-0.53, -0.5, -deep), size=(3, 0.5, 1 + 3*deep),
+        sides={"top": "contact"}, material={
+            "type": "rigid", "rho": 1000, "motion": {"velocity": (0, 0, 0)}})
+    case = SmallCase(
+        tmp_path, (block, base), 5, {"contact": interface(
+            ("block", "bottom"), ("base", "top"), pairing="nearestFace",
+            updateDistance=distance)},
+        functions=("contactForces",), preset=DEFAULT,
+        control={"maxCo": 0.9, "writeInterval": 5/3}).run()
+    F = [case.at("F", t, "block").reshape(-1, 9)[:, 4] for t in case.times[1:]]
+    force = case.contact("contact")["block.bottom:Fy"]
+    # Where nodes differ in how they give way, to second order in the way
+    limit = {0.1: 3e-4, 0.4: 2e-3}[distance] if distortion else 1e-10
+    with figures(f"sliding, {dimensions}D, {distance} of a face, distorted by "
+                 f"{distortion}") as f:
+        f.atMost("error of the strain / strain", max(
+            largest(each - 1 + strain) for each in F)/strain, limit)
+        f.atMost("error of the force / force", largest(force/strain - 1),
+                 limit)
+        f.atMost("gapForce / force", largest(
+            case.contact("contact")["gapForce"])/strain, 1e-12)

@@ -63,6 +63,13 @@ struct lever
             planar ? two.setPoint(of(offset)) : four.setPoint(of(offset));
     }
 
+    void setGrowth(const scalar share, const vector& growth)
+    {
+        planar
+      ? two.setGrowth(share, of(growth))
+      : four.setGrowth(share, of(growth));
+    }
+
     scalar weight(const int j) const
     {
         return planar ? two.weight(j) : four.weight(j);
@@ -144,6 +151,50 @@ TEST_CASE("A lever moves rigidly, and its forces are the transpose")
         CHECK(mag(foot + b*c.n - at) < 1e-14);
         CHECK(mag(power - (any & f)) < 1e-14);
         CHECK(mag(v - (shift + (spin ^ at))) < 1e-14);
+    }
+}
+
+
+TEST_CASE("Forces on an area that has grown are linear in the way")
+{
+    for (const sample& c : samples)
+    {
+        const int size = c.x.size();
+        const vector along(c.offset - (c.offset & c.n)*c.n);
+        const vector f(0.3, -1.1, size == 2 ? 0 : 0.8);
+        point start(Zero);
+        for (int j = 0; j < size; ++j) start += c.weights[j]*c.x[j];
+
+        // As the area shrinks to less than nothing
+        std::vector<std::vector<vector>> forces;
+        for (const scalar d : {0.0, 0.5, 1.0})
+        {
+            lever lever(c.x, c.weights, c.n);
+            lever.setPoint(d*along);
+            const scalar share = 1 - 1.3*d;
+            lever.setGrowth(share, d*along);
+            forces.emplace_back();
+            vector sum(Zero), moment(Zero);
+            for (int j = 0; j < size; ++j)
+            {
+                forces.back().push_back(lever.force(j, f));
+                sum += forces.back()[j];
+                moment += c.x[j] ^ forces.back()[j];
+            }
+            CHECK(mag(sum - share*f) < 1e-14);
+
+            // Area and first moment, each linear: the share at the start, and
+            // what has come along
+            const vector first(share*start + d*along);
+            CHECK(mag(moment - (first ^ f)) < 1e-14);
+        }
+        for (int j = 0; j < size; ++j)
+        {
+            CHECK
+            (
+                mag(forces[0][j] - 2*forces[1][j] + forces[2][j]) < 1e-14
+            );
+        }
     }
 }
 

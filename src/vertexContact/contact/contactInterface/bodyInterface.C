@@ -110,49 +110,34 @@ void Foam::bodyInterface::setKernel()
     closed_.setSize(n, false);
     if (!pairing_->active()) return;
 
-    // Of the plus side once, where it is asked for: how it gives way, and where
-    // it began
-    const pointField& points = plus_.body->mesh().points();
-    const labelList& plusCorners = pairing_->plusCorners();
-    const labelList& plusNode =
-        plus_.body->corners(plus_.patchi).geometry.cornerNode;
-    struct plusCorner
+    // Where what is bonded began, of the plus side where it is asked for
+    pointField plus;
+    scalarField firstGap;
+    if (law().bonded())
     {
-        scalar compliance;
-        point X;
-    };
-    List<plusCorner> plus(plusCorners.size());
-    forAll(plus, i)
-    {
-        const label k = plusCorners[i];
-        plus[i].compliance = plus_.body->surfaceCompliance(plus_.patchi, k);
-        plus[i].X = points[plus_.body->dual().nodePoint()[plusNode[k]]];
+        firstGap.setSize(overlaps.size());
+        const labelList& plusCorners = pairing_->plusCorners();
+        const labelList& plusNode =
+            plus_.body->corners(plus_.patchi).geometry.cornerNode;
+        plus.setSize(plusCorners.size());
+        forAll(plus, i)
+        {
+            plus[i] = plus_.body->mesh().points()
+            [
+                plus_.body->dual().nodePoint()[plusNode[plusCorners[i]]]
+            ];
+        }
+        exchange_.toSlots(plus);
     }
-    exchange_.toSlots(plus);
 
-    scalarField perMass(overlaps.size()), firstGap;
-    if (law().bonded()) firstGap.setSize(overlaps.size());
     nNodes_ = 1;
     forAll(overlaps, o)
     {
         const contactOverlap& over = overlaps[o];
-        perMass[o] = 0;
-        for (label j = 0; j < over.minus.size; ++j)
-        {
-            perMass[o] +=
-                over.minus.value[j]
-               *body.surfaceCompliance(minus_.patchi, over.minus.corner[j]);
-        }
-        vector between(Zero);
-        for (label j = 0; j < over.plus.size; ++j)
-        {
-            const plusCorner& c = plus[over.plus.corner[j]];
-            perMass[o] += over.plus.value[j]*c.compliance;
-            between += over.plus.value[j]*c.X;
-        }
         if (firstGap.size())
         {
             // The reference gap lies along the normal
+            vector between(over.plus(plus));
             for (label j = 0; j < over.minus.size; ++j)
             {
                 between -= over.minus.value[j]*referencePosition
@@ -168,7 +153,7 @@ void Foam::bodyInterface::setKernel()
     withNodes([&](auto N)
     {
         auto& kernel = std::get<overlapKernel<N.value>>(kernels_);
-        kernel.set(overlaps, slots, perMass, firstGap);
+        kernel.set(overlaps, slots, firstGap);
         nearBlocks<N.value>().clear();
     });
 }
@@ -200,6 +185,7 @@ void Foam::bodyInterface::findStates
         s.v = body.contact().velocityWithout(node);
         s.stretch = mag(area);
         s.n = area/s.stretch;
+        s.gives = body.surfaceCompliance(side.patchi, k);
     }
 }
 
@@ -311,6 +297,9 @@ void Foam::bodyInterface::findNear()
         {
             if (!at.near[l]) continue;
             near.lane[near.size] = l;
+            near.whole[near.size] =
+                0.5*(b.minus.area[l] + b.plus.area[l])*at.stretch[l]
+               *at.whole[l];
             contactLaw::problem& p = near.problems[near.size++];
             vector normal, shift(Zero);
             for (direction c = 0; c < 3; ++c)
@@ -333,24 +322,12 @@ void Foam::bodyInterface::findNear()
             p.plus.zp = P.zp;
             p.plus.zs = P.zs;
             p.area = 0.5*(b.minus.area[l] + b.plus.area[l])*at.area[l];
-            scalar gives = minusGives;
-            if (!alike)
-            {
-                scalar minus = 0;
-                for (int j = 0; j < nNodes; ++j)
-                {
-                    minus +=
-                        b.minus.N[j][l]
-                       *body.surfaceCompliance
-                        (
-                            minus_.patchi, minusCorners_[b.minus.slot[j][l]]
-                        );
-                }
-                gives =
-                    plusGives
-                  + minus/b.perMass[l]*(minusGives - plusGives);
-            }
-            contactLayer(b.perMass[l]).set
+            const scalar gives =
+                alike
+              ? minusGives
+              : plusGives
+              + at.minusPerMass[l]/at.perMass[l]*(minusGives - plusGives);
+            contactLayer(at.perMass[l]).set
             (
                 p, at.stretch[l], true, bonded, shift, deltaT, gives
             );
@@ -427,7 +404,10 @@ void Foam::bodyInterface::solveNear()
 
             acts[l] = true;
             contactAnswer told(answer(p, p.area));
-            for (int c = 0; c < 3; ++c) force[c][l] = told.force[c];
+            for (int c = 0; c < 3; ++c)
+            {
+                force[c][l] = near.whole[k]*p.result.t[c];
+            }
             contactAnswer& minus = toMinus[b.minus.slot[0][l]];
             contactAnswer& plus = toPlus[b.plus.slot[0][l]];
             minus += told;
@@ -935,7 +915,7 @@ void Foam::bodyInterface::slideOverlaps
             body.contact().slide.add
             (
                 minusNode[minusCorners_[b.minus.slot[0][l]]],
-                p.area,
+                max(p.area, scalar(0)),
                 stuck
               ? deltaT
                *acousticRiemann::tangential

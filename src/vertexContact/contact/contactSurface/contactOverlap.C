@@ -168,11 +168,6 @@ struct movingArea
             return m;
         }
         m.drift = u*(cu.x()*u + cu.y()*w) + w*(cw.x()*u + cw.y()*w);
-
-        // No further than the side that moves: slivers in several pieces
-        const scalar most = std::sqrt(scalar(2));
-        const scalar size = mag(m.drift);
-        if (size > most) m.drift *= most/size;
         return m;
     }
 };
