@@ -40,6 +40,108 @@ FixedList<List<contactSide>, 2> readSets
     return sets;
 }
 
+//- An entry of pairs
+struct pairEntry
+{
+    word name;
+    word keyword;       // of its sides
+    expression sides;
+    dictionary dict;
+};
+
+//- A set in a list of pairs: a name alone is a region, with all its surfaces
+expression regionOrSurfaces(const expression& e)
+{
+    if (!e.leaf) return e;
+    expression any;
+    any.leaf = true;
+    any.name = wordRe(".*", wordRe::REGEX);
+    expression surface;
+    surface.list = List<expression>({e, any});
+    return surface;
+}
+
+//- Entries of pairs that are dictionaries of sides and a law
+void readNamedPairs(const dictionary& dict, PtrList<pairEntry>& pairs)
+{
+    for (const entry& e : dict)
+    {
+        if (!e.isDict())
+        {
+            FatalIOErrorInFunction(dict)
+                << "Keyword '" << e.keyword() << "' is not a dictionary, "
+                << "of 'sides' and a 'law'" << exit(FatalIOError);
+        }
+        const dictionary& d = e.dict();
+        dictionaryCheck::onlyKeywords(d, wordList({"sides", "law"}));
+        pairs.append
+        (
+            new pairEntry
+            {
+                e.keyword(), "sides", surfaceSelection::read(d, "sides"), d
+            }
+        );
+    }
+}
+
+//- Those of a list: two sets, and a dictionary with a law
+void readListedPairs(const dictionary& dict, PtrList<pairEntry>& pairs)
+{
+    const auto require = [&](const bool good)
+    {
+        if (!good)
+        {
+            FatalIOErrorInFunction(dict)
+                << "Keyword 'pairs' is neither a dictionary nor a list of two "
+                << "sets and a law each, as in "
+                << "((\"steel.*\" \"rubber.*\") { law { ... } })"
+                << exit(FatalIOError);
+        }
+    };
+
+    ITstream is(dict.lookup("pairs"));
+    const auto next = [&]()
+    {
+        require(is.nRemainingTokens() > 0);
+        return token(is);
+    };
+    token t(next());
+    require(t == token::BEGIN_LIST);
+    for (t = next(); t != token::END_LIST; t = next())
+    {
+        DynamicList<token> tokens;
+        for (; t != token::BEGIN_BLOCK; t = next()) tokens.append(t);
+        is.putBack(t);
+        const expression e(surfaceSelection::parse(dict, "pairs", tokens));
+        require(e.list.size() == 2);
+        expression sides;
+        for (const expression& side : e.list)
+        {
+            sides.list.append(regionOrSurfaces(side));
+        }
+        const word name(Foam::name(pairs.size() + 1));
+        const dictionary d("pairs." + name, dict, is);
+        dictionaryCheck::onlyKeywords(d, wordList(1, word("law")));
+        pairs.append(new pairEntry{name, "pairs", sides, d});
+    }
+    require(!is.nRemainingTokens());
+}
+
+PtrList<pairEntry> readPairs(const dictionary& dict)
+{
+    PtrList<pairEntry> pairs;
+    if (dict.isDict("pairs"))
+    {
+        readNamedPairs(dict.subDict("pairs"), pairs);
+    }
+    else if (dict.found("pairs"))
+    {
+        readListedPairs(dict, pairs);
+    }
+    for (const pairEntry& pair : pairs) pair.dict.subDict("law");
+    return pairs;
+}
+
 } // End anonymous namespace
 
 
@@ -80,15 +182,18 @@ void Foam::generalInterface::forPairs
 void Foam::generalInterface::refuseTwoLaws
 (
     const dictionary& dict,
-    const label key
+    const word& keyword,
+    const label key,
+    const word& first,
+    const word& second
 ) const
 {
     const label n = surfaces_.size();
     FatalIOErrorInFunction(dict)
-        << "Keyword '" << (dict.found("sides") ? "sides" : "surfaces")
-        << "': the pair " << surfaceSelection::name(surfaces_[key/n]).c_str()
-        << " and " << surfaceSelection::name(surfaces_[key % n]).c_str()
-        << " has two laws: here, and in an entry before"
+        << "Keyword '" << keyword << "': the pair "
+        << surfaceSelection::name(surfaces_[key/n]).c_str() << " and "
+        << surfaceSelection::name(surfaces_[key % n]).c_str()
+        << " has two laws, in '" << first << "' and in '" << second << '\''
         << exit(FatalIOError);
 }
 
@@ -181,33 +286,39 @@ void Foam::generalInterface::readRules
         forPairs(sets[0], sets[1], meet);
     }
     const label n = surfaces_.size();
+    const word chosenBy(dict.found("sides") ? "sides" : "surfaces");
 
     rules_.setSize(1);
     rules_.set(0, partDict(dict, dict).ptr());
-    if (dict.found("pairs"))
+    const PtrList<pairEntry> pairs(readPairs(dict));
+    for (const pairEntry& pair : pairs)
     {
-        for (const entry& e : dict.subDict("pairs"))
+        const auto sets = readSets
+        (
+            pair.dict, pair.keyword, pair.sides, bodies
+        );
+        rules_.append(partDict(dict, pair.dict).ptr());
+        const label rule = rules_.size() - 1;
+        bool any = false;
+        forPairs(sets[0], sets[1], [&](const label k)
         {
-            if (!e.isDict())
+            if (rule_[k] > 0 && rule_[k] != rule)
             {
-                FatalIOErrorInFunction(dict.subDict("pairs"))
-                    << "Keyword '" << e.keyword() << "' is not a dictionary, "
-                    << "of 'sides' and a 'law'" << exit(FatalIOError);
+                refuseTwoLaws
+                (
+                    dict, "pairs", k, pairs[rule_[k] - 1].name, pair.name
+                );
             }
-            const dictionary& d = e.dict();
-            dictionaryCheck::onlyKeywords(d, wordList({"sides", "law"}));
-            d.subDict("law");
-            const auto sets = readSets
-            (
-                d, "sides", surfaceSelection::read(d, "sides"), bodies
-            );
-            rules_.append(partDict(dict, d).ptr());
-            const label rule = rules_.size() - 1;
-            forPairs(sets[0], sets[1], [&](const label k)
-            {
-                if (rule_[k] > 0 && rule_[k] != rule) refuseTwoLaws(d, k);
-                if (rule_[k] == 0) rule_[k] = rule;
-            });
+            if (rule_[k] == 0) rule_[k] = rule;
+            any = true;
+        });
+        if (!any)
+        {
+            FatalIOErrorInFunction(dict)
+                << "Keyword 'pairs': '" << pair.name << "' has no pair of the "
+                << "surfaces in '" << chosenBy << "'. These are: "
+                << surfaceSelection::listed(surfaces_).c_str()
+                << exit(FatalIOError);
         }
     }
 
@@ -216,6 +327,7 @@ void Foam::generalInterface::readRules
         const expression e(surfaceSelection::read(dict, "exclude"));
 
         // One pair, or a list of them
+        if (e.leaf) readSets(dict, "exclude", e, bodies);
         const bool one =
             e.list.size() == 2 && e.list[0].surface() && e.list[1].surface();
         const List<expression> pairs
@@ -242,7 +354,10 @@ void Foam::generalInterface::readRules
             {
                 return;
             }
-            if (other.many()) refuseTwoLaws(dict, k);
+            if (other.many())
+            {
+                refuseTwoLaws(dict, chosenBy, k, other.name(), name());
+            }
             rule_[k] = -1;
             meets[i] = meets[j] = true;
         });
@@ -258,11 +373,16 @@ void Foam::generalInterface::readRules
         {
             FatalIOErrorInFunction(dict)
                 << "Keyword '"
-                << (dict.found("exclude") ? "exclude" : "surfaces")
+                << (dict.found("exclude") ? word("exclude") : chosenBy)
                 << "': nothing is left that "
                 << surfaceSelection::name(surfaces_[i]).c_str()
                 << " may touch. Surfaces that touch nothing have the type "
-                << "'tractionFree' in pointU" << exit(FatalIOError);
+                << "'tractionFree' in pointU." << nl << "These have 'contact': "
+                << surfaceSelection::listed
+                   (
+                       surfaceSelection::all(bodies)
+                   ).c_str()
+                << exit(FatalIOError);
         }
     }
 }
@@ -278,7 +398,7 @@ Foam::keywordList Foam::generalInterface::keywords()
         {"sides", "", "or surfaces", "two sets of surfaces"},
         {"self", "", "yes", "surfaces meet themselves"},
         {"exclude", "", "none", "a pair of sets, or a list of such pairs"},
-        {"pairs", "", "none", "dictionaries, each of sides and a law"},
+        {"pairs", "", "none", "laws for some pairs: dictionaries, or a list"},
         {"pairing", "", "nearestFace", "no other"},
         {
             "updateDistance", "-",
@@ -318,16 +438,10 @@ void Foam::generalInterface::readLaw(const dictionary& dict)
 {
     contactInterface::readLaw(dict);
     rules_.set(0, partDict(dict, dict).ptr());
-    label n = 1;
-    if (dict.found("pairs"))
+    const PtrList<pairEntry> pairs(readPairs(dict));
+    for (label i = 0; i < pairs.size() && i + 1 < rules_.size(); ++i)
     {
-        for (const entry& e : dict.subDict("pairs"))
-        {
-            if (n < rules_.size())
-            {
-                rules_.set(n++, partDict(dict, e.dict()).ptr());
-            }
-        }
+        rules_.set(i + 1, partDict(dict, pairs[i].dict).ptr());
     }
     forAll(parts_, i) parts_[i].readLaw(rules_[rule_[keys_[i]]]);
     join();

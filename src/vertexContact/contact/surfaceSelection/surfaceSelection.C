@@ -20,7 +20,7 @@ surfaceSelection::expression readOne
 (
     const dictionary& dict,
     const word& keyword,
-    const tokenList& tokens,
+    const UList<token>& tokens,
     label& i
 )
 {
@@ -68,29 +68,18 @@ surfaceSelection::expression readOne
     return e;
 }
 
-//- Names of all contact surfaces, for messages
-string listed(PtrList<solidBody>& bodies)
-{
-    string text;
-    for (const contactSide& s : surfaceSelection::all(bodies))
-    {
-        text += " (" + s.body->name() + ' ' + s.patchName + ')';
-    }
-    return text;
-}
-
 } // End anonymous namespace
 
 
 // * * * * * * * * * * * * * * * * Functions * * * * * * * * * * * * * * * * //
 
-Foam::surfaceSelection::expression Foam::surfaceSelection::read
+Foam::surfaceSelection::expression Foam::surfaceSelection::parse
 (
     const dictionary& dict,
-    const word& keyword
+    const word& keyword,
+    const UList<token>& tokens
 )
 {
-    const tokenList& tokens = dict.lookup(keyword);
     label i = 0;
     const expression e(readOne(dict, keyword, tokens, i));
     if (i < tokens.size())
@@ -100,6 +89,17 @@ Foam::surfaceSelection::expression Foam::surfaceSelection::read
             << exit(FatalIOError);
     }
     return e;
+}
+
+
+Foam::surfaceSelection::expression Foam::surfaceSelection::read
+(
+    const dictionary& dict,
+    const word& keyword
+)
+{
+    const tokenList& tokens = dict.lookup(keyword);
+    return parse(dict, keyword, tokens);
 }
 
 
@@ -153,8 +153,8 @@ Foam::List<Foam::contactSide> Foam::surfaceSelection::select
             FatalIOErrorInFunction(dict)
                 << "Keyword '" << keyword << "': (" << e.list[0].name << ' '
                 << e.list[1].name << ") matches no surface whose type in "
-                << "pointU is 'contact'." << nl << "These are:"
-                << listed(bodies).c_str() << exit(FatalIOError);
+                << "pointU is 'contact'." << nl << "These are: "
+                << listed(known).c_str() << exit(FatalIOError);
         }
     };
     if (which.surface())
@@ -225,6 +225,21 @@ Foam::List<Foam::contactSide> Foam::surfaceSelection::all
         }
     }
     return List<contactSide>(sides);
+}
+
+
+Foam::string Foam::surfaceSelection::listed
+(
+    const UList<contactSide>& sides
+)
+{
+    string text;
+    for (const contactSide& s : sides)
+    {
+        if (text.size()) text += ' ';
+        text += '(' + s.body->name() + ' ' + s.patchName + ')';
+    }
+    return text;
 }
 
 
