@@ -22,7 +22,8 @@ def outside(values, theirs):
 @pytest.mark.scenes(*IRONING.values())
 @pytest.mark.parametrize("mesh", IRONING)
 def test_shallow_ironing(run, figures, mesh):
-    """Both forces lie between those of five sources, all the way."""
+    """Both forces lie between those of five sources, all the way, and their
+    ratio between those of seven."""
     case = run(IRONING[mesh])
     forces = published.forces(case.path)
     theirs = published.sources()
@@ -43,9 +44,17 @@ def test_shallow_ironing(run, figures, mesh):
                  outside(H, theirH).max(), 0)
         f.atMost("force downwards, beyond the sources / largest",
                  outside(V, theirV).max(), 0)
-        # 0.30 to 0.53 in the literature
-        middle = theirs["along"] == 5
-        f.within("along / downwards at 5 mm", (H/V)[middle][0], 0.31, 0.05)
+        # The place of the printed ratios is half of the way along
+        for way in 1, 5:
+            its = theirs["along"] == way
+            f.atMost(f"along / downwards at {way} mm, beyond five curves",
+                     outside((H/V)[its], np.divide(theirH, theirV)[:, its])[0],
+                     0)
+        f.within("along / downwards at 5 mm", (H/V)[its][0], 0.31, 0.05)
+        printed = published.RATIOS.values()
+        f.atLeast("the same, least of the printed ones", (H/V)[its][0],
+                  min(printed))
+        f.atMost("the same, largest of them", (H/V)[its][0], max(printed))
         f.within("friction / work of the top",
                  e["frictionDissipation"][-1]/work, 0.9, 0.03)
         f.atMost("energy that contact gives / work of the top",

@@ -16,6 +16,12 @@ SOURCES = {"Yastrebov": "Yastrebov 2011", "CodeAster": "Code_Aster",
            "HartmannOliver": "Hartmann, Oliver et al. 2009",
            "PouliosRenard": "Poulios, Renard 2015"}
 
+# Force along over the force downwards, half of the way along (5 mm), as the
+# authors print it; those of two more have no curves here
+RATIOS = {"PouliosRenard": 0.30, "Batistic": 0.32, "Houssein": 0.32,
+          "CodeAster": 0.34, "HartmannOliver": 0.38, "Yastrebov": 0.47,
+          "FischerWriggers": 0.53}
+
 
 def sources():
     """Columns down, along, and Source:H, Source:V."""
