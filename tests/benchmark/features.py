@@ -1,13 +1,16 @@
 #!/usr/bin/env python3
 """What each feature costs in time and memory, on against off.
 
-    . etc/bashrc; tests/benchmark/features.py
+    . etc/bashrc; tests/benchmark/features.py [-before CHECKOUT]
 
 One core, fixed step; medians of seven runs, and of the ratios of runs next to
 each other, since a machine is faster at one time than at another. Writes
-features.md beside this file.
+features.md beside this file. With -before its last table only: the steps of
+scenes that use none of them, with this library and with that of a checkout
+from before they were there, which is built.
 """
 
+import argparse
 import re
 import subprocess
 import sys
@@ -213,8 +216,11 @@ class Measured:
         case.set("system/controlDict", {"endTime": (steps + 0.5)*deltaT})
         self.seconds = []
 
-    def run(self):
-        log = checked(["vertexContactFoam"], self.case.path)
+    def run(self, checkout=root):
+        log = checked(["vertexContactFoam"] if checkout == root else [
+            "env", "-u", "VERTEXCONTACT_DIR", "bash", "-c",
+            f". {checkout}/etc/bashrc && exec vertexContactFoam"],
+            self.case.path)
         self.seconds.append(float(
             re.search(r"Steps: \d+ in (\S+) s", log)[1]))
         self.bytes = sum(
@@ -223,11 +229,59 @@ class Measured:
                 re.findall(r"^    (\d+) bytes per node", log, re.M)))
 
 
-def main():
+# Scenes that use none of what came later, by the commit that -before names
+PLAIN = (
+    ("one block, neo-Hookean", block, CELLS),
+    ("one block, small strains", block, {**CELLS, "material": SMALL}),
+    ("one block, every node yields", block, {**CELLS, "material": YIELDING}),
+    ("one block in 2D", block, {"cells": (100, 100)}),
+    ("two blocks, nearestFace, in contact", pair, {"gap": 0}),
+    ("two blocks, AMI, in contact", pair, {"gap": 0, "pairing": "AMI"}),
+    ("two blocks, friction, matching", pair, {
+        "gap": 0, "pairing": "matching", "law": coulomb(0.3)}),
+)
+PAGE = here/"features.md"
+LAST = "\n## With all of them off\n"
+
+
+def commitOf(checkout):
+    return subprocess.run(
+        ["git", "describe", "--always", "--dirty"], cwd=checkout,
+        capture_output=True, text=True).stdout.strip() or "no repository"
+
+
+def before(checkout):
     lines = []
-    commit = subprocess.run(["git", "describe", "--always", "--dirty"],
-                            cwd=root, capture_output=True,
-                            text=True).stdout.strip() or "no repository"
+    with tempfile.TemporaryDirectory() as folder:
+        for i, (what, make, arguments) in enumerate(PLAIN):
+            now, then = (
+                Measured(make(Path(folder)/f"{i}{name}", **arguments))
+                for name in ("now", "then"))
+            for _ in range(9):
+                now.run()
+                then.run(checkout)
+            lines.append(
+                f"| {what} | {1e3*np.median(then.seconds)/STEPS:.2f} | "
+                f"{1e3*np.median(now.seconds)/STEPS:.2f} | "
+                f"{np.median(np.divide(now.seconds, then.seconds)):.2f} |")
+            print(lines[-1], flush=True)
+    PAGE.write_text(PAGE.read_text().split(LAST)[0] + LAST + f"""
+The same scenes with the library of {commitOf(checkout)}, which had neither rigid regions, steps of their own, slow loading, conditions by
+component, histories of sets, filters, initial states nor heat, and with that of {commitOf(root)}; medians of nine runs in turns.
+
+| | before [ms a step] | now [ms a step] | now/before |
+|---|---|---|---|
+""" + "\n".join(lines) + "\n")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
+    parser.add_argument("-before", type=Path, metavar="CHECKOUT")
+    checkout = parser.parse_args().before
+    if checkout:
+        before(checkout.resolve())
+        return
+    lines = []
     with tempfile.TemporaryDirectory() as folder:
         for i, (group, what, make, off, on) in enumerate(PAIRS):
             cases = [Measured(make(Path(folder)/f"{i}{name}", **arguments))
@@ -244,14 +298,15 @@ def main():
                 f"{np.median(ratios):.2f} | "
                 f"{with_.bytes/without.bytes:.2f} |")
             print(lines[-1], flush=True)
-    (here/"features.md").write_text(f"""# What each feature costs
+    last = PAGE.read_text().partition(LAST) if PAGE.exists() else ("", "", "")
+    PAGE.write_text(f"""# What each feature costs
 
 Written by `tests/benchmark/features.py`: blocks of 24 x 24 x 24 hexahedra (two of 20 x 20 x 20 for contact), neo-Hookean,
-defaults, one core, {STEPS} steps, with the library of {commit}; medians of seven runs, and of the ratios of runs in turns. Memory: what the body stores and its dual mesh, without OpenFOAM's mesh.
+defaults, one core, {STEPS} steps, with the library of {commitOf(root)}; medians of seven runs, and of the ratios of runs in turns. Memory: what the body stores and its dual mesh, without OpenFOAM's mesh.
 
 | | | off [ms a step] | on [ms a step] | time, on/off | memory, on/off |
 |---|---|---|---|---|---|
-""" + "\n".join(lines) + "\n")
+""" + "\n".join(lines) + "\n" + "".join(last[1:]))
 
 
 if __name__ == "__main__":

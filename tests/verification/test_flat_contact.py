@@ -72,7 +72,7 @@ def test_nothing_pulls_along_a_flat_base(tmp_path, figures, name):
         f.atMost("mean force along / across",
                  np.abs(T.mean(axis=1)).max()/N.mean(), 0 if exact else 1e-6)
         f.atMost("force along in any step / mean across",
-                 np.abs(T).max()/N.mean(), 0 if exact else 1e-5)
+                 np.abs(T).max()/N.mean(), 0 if exact else 1e-6)
 
 
 def test_what_pulls_over_an_edge(tmp_path, figures):
@@ -80,9 +80,8 @@ def test_what_pulls_over_an_edge(tmp_path, figures):
     There its surface is inclined, and the edge pushes it off the base, also
     without friction: with the force by which its energy falls as more of it
     hangs over, dU/dw over the length that is held, U half of the work of the
-    weight. That grows with the square of the weight. The force of contact may
-    not be more, or it makes energy; it acts along the mean of both normals,
-    and is about half of it."""
+    weight. That grows with the square of the weight. The edge has no normal of
+    its own: its force acts along that of the block."""
     g, n, step = 1e-3, 14, 0.04
     forces, energies = [], []
     for width in 0.7 - step, 0.7, 0.7 + step:
@@ -101,7 +100,7 @@ def test_what_pulls_over_an_edge(tmp_path, figures):
     with figures("block that hangs over an edge") as f:
         f.falling("force along / weight, 0.66 to 0.74 held", forces)
         f.atLeast("dU/dw / weight", released, 1e-4)
-        f.within("force along / (dU/dw)", forces[1]/released, 0.5, 0.1)
+        f.within("force along / (dU/dw)", forces[1]/released, 1, 0.1)
 
 
 # Gaps

@@ -113,6 +113,23 @@ def rests():
                      (*row, 10**6))) for row in rows]
 
 
+def helpedRests():
+    """What does not come to rest by itself within a million steps, and blocks
+    on slopes of half and, of light ones, nine tenths of the angle of friction:
+    a heavy one digs in and slips."""
+    weights = 0.05, 0.005
+    rows = [(on, k, ratio, weight, 0)
+            for on, k, ratio in (("body", 0.5, 4), ("tied", 0, 4),
+                                 ("body", 0, 1), ("body", 0, 2), ("body", 0, 4))
+            for weight in weights]
+    rows += [("plane", 0.5, 1, 0.05, slope) for slope in (0.5, 0.9)]
+    rows += [("body", 0.5, ratio, weight, slope) for ratio in (1, 2)
+             for slope, weight in ((0.5, 0.05), (0.5, 0.005), (0.9, 0.005))]
+    return [{"on": on, "friction": k, "cells": "4x4", "ratio": ratio,
+             "weight": weight, "slope": slope, "steps": 10**6}
+            for on, k, ratio, weight, slope in rows]
+
+
 # Name: scene, its cells
 GROUPS = {
     "presets": (impacts.collision, presets),
@@ -137,6 +154,7 @@ GROUPS = {
     "friction": (resting.friction, lambda: cells(
         on=("plane", "body"), coefficient=(0, 0.1, 0.3, 1, 3, 10))),
     "settling": (resting.settling, rests),
+    "resting": (resting.resting, helpedRests),
     "spin": (free.spin, spins),
     "vibration": (free.vibration, vibrations),
     "paper": (impacts.paper, lambda: cells(

@@ -38,6 +38,7 @@ TITLES = {
     "cradle": "Ten bodies in a row",
     "friction": "Friction",
     "settling": "Rest under gravity",
+    "resting": "Rest after a damping",
     "spin": "Free rotation",
     "vibration": "Free vibration",
     "paper": "Impacts with the scheme of the paper",
@@ -119,7 +120,7 @@ NOTES = {
     excited."""}
 
 # All figures of each run; else the last parameter in columns
-LISTED = "single", "cradle", "settling", "spin", "vibration"
+LISTED = "single", "cradle", "settling", "resting", "spin", "vibration"
 
 
 class Row:

@@ -6,7 +6,7 @@ import numpy as np
 
 import readResults
 from smallCases import (ELASTIC, FLOOR, Body, condition, coulomb, interface,
-                        largest)
+                        largest, table)
 
 from .free import STEP, counts, rubber
 from .judge import outcome, ownEnergy, small
@@ -75,7 +75,15 @@ def friction(folder, on, coefficient, **how):
     return outcome(case, check, scale=start)
 
 
-def settling(folder, on, friction, cells, ratio, weight, steps, **how):
+def resting(folder, **how):
+    """The scene of the last section, with a damping in the first quarter of the
+    time: then all is at rest, in a million steps nothing may stir it, and each
+    row has the same limits. slope: of the base, by the angle of friction."""
+    return settling(folder, helped=True, **how)
+
+
+def settling(folder, on, friction, cells, ratio, weight, steps, slope=0,
+             helped=False, **how):
     """Gravity is set on at once: a block on a plane, or on a clamped base,
     bounces in itself until what its waves dissipate brings it to rest. Then
     nothing may happen. Drift: how far any corner of the block is from its
@@ -107,12 +115,17 @@ def settling(folder, on, friction, cells, ratio, weight, steps, **how):
         # By the means of the squares of one over the lengths of the base cells
         time /= np.sqrt(((len(n) - 1)*ratio**2 + 1)/len(n))
     corners = tuple(product((0, 1), (0, 1), (0, 1)[:len(n) - 1]))
-    case = small(folder, [block, *more], time,
-                 every(max(1, steps//5000), corners),
-                 interfaces=interfaces, gravity=(0, -g, 0), **how)
+    control = every(max(1, steps//5000), corners)
+    if helped:
+        # Of the slowest waves, which go to and fro in a time of some units
+        control["damping"] = {'".*"': {"coefficient": table(
+            (0, 1), (0.2*time, 1), (0.25*time, 0))}}
+    angle = slope*np.arctan(friction)
+    case = small(folder, [block, *more], time, control, interfaces=interfaces,
+                 gravity=(g*np.sin(angle), -g*np.cos(angle), 0), **how)
 
     rests = steps >= 10**6
-    swings = on == "body" and friction == 0
+    swings = on == "body" and friction == 0 and not helped
 
     def check(case):
         kinetic = case.energies["total:kinetic"]
