@@ -98,4 +98,35 @@ Foam::boolList Foam::patchRim::corners
 }
 
 
+Foam::boolList Foam::patchRim::nodes
+(
+    const polyMesh& mesh,
+    const dualPatch& patch,
+    const label nDim,
+    const boolList& rim
+)
+{
+    if (nDim < 3) return rim;
+
+    Map<label> points;
+    for (label facei = 0; facei < patch.nFaces(); ++facei)
+    {
+        const label start = patch.faceStart[facei];
+        const label n = patch.faceStart[facei + 1] - start;
+        for (label j = 0; j < n; ++j)
+        {
+            if (!rim[start + j]) continue;
+            points.set(patch.cornerPoint[start + j], 1);
+            points.set(patch.cornerPoint[start + (j + 1) % n], 1);
+        }
+    }
+    syncTools::syncPointMap(mesh, points, maxEqOp<label>());
+
+    boolList nodes;
+    nodes.setSize(patch.nCorners(), false);
+    forAll(nodes, k) nodes[k] = points.found(patch.cornerPoint[k]);
+    return nodes;
+}
+
+
 // ************************************************************************* //

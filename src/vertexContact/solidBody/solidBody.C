@@ -169,6 +169,7 @@ void Foam::solidBody::makeCorners()
         if (bc.contact() && data_.variational)
         {
             rim_[patchi] = patchRim::corners(mesh_, patch, d);
+            rimNode_[patchi] = patchRim::nodes(mesh_, patch, d, rim_[patchi]);
         }
 
         scalarField& depth = depth_[patchi];
@@ -324,6 +325,7 @@ Foam::solidBody::solidBody
     corners_(mesh_.boundaryMesh().size()),
     depth_(mesh_.boundaryMesh().size()),
     rim_(mesh_.boundaryMesh().size()),
+    rimNode_(mesh_.boundaryMesh().size()),
     boundaryArea_(dual_.nNodes(), Zero),
     gravity_(dual_.nDim(), Zero),
     bodyForces_

@@ -172,7 +172,7 @@ TEST_CASE("Forces on an area that has grown are linear in the way")
             lever lever(c.x, c.weights, c.n);
             lever.setPoint(d*along);
             const scalar share = 1 - 1.3*d;
-            lever.setGrowth(share, d*along);
+            lever.setGrowth(share, (1 - share)*d*along);
             forces.emplace_back();
             vector sum(Zero), moment(Zero);
             for (int j = 0; j < size; ++j)

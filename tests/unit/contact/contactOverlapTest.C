@@ -330,22 +330,6 @@ TEST_CASE("Overlaps move with the rims that bound them")
 }
 
 
-TEST_CASE("Corners on both ends of an edge of the rim are at it")
-{
-    const std::vector<point> other(kite.rbegin(), kite.rend());
-    contactFace a(faceOf(kite, 0, up)), b(faceOf(other, 4, -up));
-    a.rim[3] = true;
-    const auto overlaps = overlapsOf(a, b, true);
-    REQUIRE(overlaps.size() >= 4);
-    for (const contactOverlap& o : overlaps)
-    {
-        const label corner = o.minus.corner[0];
-        CHECK(o.minusRim == (corner == 3 || corner == 0));
-        CHECK(!o.plusRim);
-    }
-}
-
-
 TEST_CASE("Overlaps without a rim move by half, as those whose rims coincide")
 {
     std::vector<point> other(kite.rbegin(), kite.rend());

@@ -311,21 +311,38 @@ TEST_CASE("decomposed dual is that of the whole mesh", "[medianDual][parallel]")
         label nSerialCorners = 0;
         label nRim = 0;
         label nSerialRim = 0;
+        label nRimNodes = 0;
+        label nSerialRimNodes = 0;
         forAll(serial.patches(), patchi)
         {
             const dualPatch& mine = dual.patches()[patchi];
             const dualPatch& its = serial.patches()[patchi];
             nCorners += mine.nCorners();
             nSerialCorners += its.nCorners();
-            for (const bool is : patchRim::corners(*part.mesh, mine, nDim))
+            const boolList rim(patchRim::corners(*part.mesh, mine, nDim));
+            for (const bool is : rim) nRim += is;
+            for
+            (
+                const bool is
+              : patchRim::nodes(*part.mesh, mine, nDim, rim)
+            )
             {
-                nRim += is;
+                nRimNodes += is;
             }
-            const boolList rim(patchRim::corners(*whole.mesh, its, nDim));
-            for (const bool is : rim) nSerialRim += is;
+            const boolList all(patchRim::corners(*whole.mesh, its, nDim));
+            for (const bool is : all) nSerialRim += is;
+            for
+            (
+                const bool is : patchRim::nodes(*whole.mesh, its, nDim, all)
+            )
+            {
+                nSerialRimNodes += is;
+            }
         }
         CHECK(returnReduce(nCorners, sumOp<label>()) == nSerialCorners);
         CHECK(returnReduce(nRim, sumOp<label>()) == nSerialRim);
+        CHECK(returnReduce(nRimNodes, sumOp<label>()) == nSerialRimNodes);
+        CHECK((nDim < 3) == (nSerialRimNodes == nSerialRim));
 
         // Around each side, whatever its faces are split into
         CHECK(nSerialRim == (nDim == 1 ? 0 : nDim == 2 ? 8 : 8*(6 + 5 + 4)));

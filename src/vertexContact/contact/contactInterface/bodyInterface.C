@@ -168,6 +168,7 @@ void Foam::bodyInterface::findStates
 {
     const solidBody& body = *side.body;
     const dualPatch& patch = body.dual().patches()[side.patchi];
+    const boolList& rim = body.rimNode(side.patchi);
     const label d = body.dual().nDim();
     const scalar* X = body.dual().nodePosition().cdata();
     const scalar* disp = body.state().disp.cdata();
@@ -186,6 +187,7 @@ void Foam::bodyInterface::findStates
         s.stretch = mag(area);
         s.n = area/s.stretch;
         s.gives = body.surfaceCompliance(side.patchi, k);
+        s.inner = rim.size() && rim[k] ? 0 : 1;
     }
 }
 

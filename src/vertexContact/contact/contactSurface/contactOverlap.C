@@ -360,14 +360,6 @@ struct projection
     }
 };
 
-//- A corner has an edge of the rim; in 2D it is a node of the rim
-bool atRim(const contactFace& f, const label corner)
-{
-    return
-        f.rim[corner]
-     || (f.size > 2 && f.rim[(corner + f.size - 1) % f.size]);
-}
-
 //- What a face has in an overlap at a point of a corner's part.
 //  \param share  of the part
 //  \param area   reference area of the part
@@ -511,8 +503,6 @@ void Foam::contactOverlaps::append
         contactOverlap o;
         o.minus = sideMinus;
         o.plus = sidePlus;
-        o.minusRim = atRim(minus, i);
-        o.plusRim = atRim(plus, j);
         o.depth = min(minus.depth[i], plus.depth[j]);
         o.width = 0.5*(minus.width + plus.width);
         overlaps.append(o);
