@@ -391,6 +391,38 @@ CASES = {
     "keyword of controlDict, another case": (
         edit("system/controlDict", {"maxCO": 0.3}),
         ("controlDict", "maxCO", "maxCo")),
+    **{f"{keyword}, which is ours in no release": (
+        edit("system/controlDict", {keyword: value}),
+        ("controlDict", f"'{keyword}'", f"Did you mean '{meant}'?",
+         "contactIterations"))
+       for keyword, value, meant in (
+        ("massScale", 1e-7, "massScaling"),
+        ("massScalingFactor", 10, "massScaling"),
+        ("dampingFactor", 0.1, "damping"),
+        ("kineticRelaxation", "yes", "relaxation"),
+        ("subCycles", 10, "subCycling"),
+        ("maxCourant", 0.5, "maxCo"),
+        ("energyRise", 0.01, "maxEnergyRise"),
+        ("writeIntervals", 0.01, "writeInterval"))},
+    "keyword of controlDict like none": (
+        edit("system/controlDict", {"hourglass": 0.1}),
+        ("controlDict", "'hourglass'", "massScaling", "$hourglass")),
+    "keyword of another program": (
+        edit("system/controlDict", {"maxAlphaCo": 0.1}),
+        ("controlDict", "'maxAlphaCo'", "maxCo")),
+    "variable that only a comment uses": (
+        control("hourglass 0.1; // $hourglass\n/* ${hourglass} */"),
+        ("controlDict", "'hourglass'")),
+    "variable that is part of another one": (
+        control("hour 0.1; hourglass 1; logInterval $hourglass;"),
+        ("controlDict", "'hour'")),
+    "misspelt keyword of an included file": (
+        all_of(control('#include "shared"'),
+               rewrite("system/shared", "maxCoo 0.1; radius 3;")),
+        ("controlDict", "'maxCoo'", "maxCo")),
+    "longest step of no length": (
+        edit("system/controlDict", {"maxDeltaT": 0}),
+        ("controlDict", "maxDeltaT", "0", "positive")),
     "mass scaling that is a number": (
         edit("system/controlDict", {"massScaling": 1e-7}),
         ("controlDict", "massScaling", "dictionary")),
@@ -479,11 +511,58 @@ def test_good_input(case):
     assert "0.01" in timeFolders(case.path)
 
 
-def test_variable_of_the_user(case):
-    """A variable may have a name like one of our keywords."""
-    control("maxC 0.01; secondaryWriteInterval $maxC;")(case)
-    done = execute(["vertexContactFoam"], case.path)
+# More of controlDict, and of the file "shared" beside it
+VARIABLES = {
+    "like one of our keywords": ("maxC 5; logInterval $maxC;", ""),
+    "like none": ("hourglass 5; logInterval ${hourglass};", ""),
+    "of the whole file": ("hourglass 5; none { some $:hourglass; } "
+                          "_more { $none; }", ""),
+    "calculated with": (
+        "hourglass 5; maxEnergyRise #eval{ 2*$hourglass };", ""),
+    "of a condition": ("hourglass on;\n#ifeq $hourglass off\nmaxCo 3;\n"
+                       "#endif\n", ""),
+    "used in an included file": ('hourglass 5;\n#include "shared"\n',
+                                 "logInterval $hourglass;"),
+    "of an included file": ('#include "shared"\nlogInterval $hourglass;',
+                            "hourglass 5; radius 3; // of other files"),
+    "of a file that is found by a variable": (
+        'name "shared"; hourglass 5;\n#include "$name"\n',
+        "logInterval $hourglass;"),
+    "marked": ("_hourglass 5;", ""),
+    "dictionary of code": (
+        "hourglass { size 3; }\nfunctions { seen { type coded; libs "
+        "(utilityFunctionObjects); name seen; codeExecute #{ "
+        'mesh().time().controlDict().subDict("hourglass"); #}; '
+        "enabled no; } }", ""),
+}
+
+
+@pytest.mark.parametrize("what", VARIABLES)
+def test_variable_of_the_user(case, what):
+    """What the file uses by its name, or what is marked, may have any name."""
+    entries, shared = VARIABLES[what]
+    if shared:
+        rewrite("system/shared", shared)(case)
+    control(entries)(case)
+    done = execute(["vertexContactFoam", "-dry-run"], case.path)
     assert done.returncode == 0, done.stdout
+
+
+def test_longest_step(case):
+    """maxDeltaT bounds the step, unless that is fixed."""
+    def step(**entries):
+        case.set("system/controlDict", entries)
+        done = execute(["vertexContactFoam", "-dry-run"], case.path)
+        return float(re.search(r"Step: (\S+) s at the start", done.stdout)[1])
+
+    bound = step()
+    assert 2e-4 < bound < 0.01
+    assert step(maxDeltaT=1e-4) == pytest.approx(1e-4, rel=1e-6)
+    assert step(maxDeltaT=1) == bound
+    assert step(maxDeltaT=1e-4, subCycling="yes") == pytest.approx(
+        1e-4, rel=1e-6)
+    assert step(maxDeltaT=1e-4, subCycling="no", adjustTimeStep="no",
+                deltaT=2e-4) == pytest.approx(2e-4, rel=1e-6)
 
 
 @pytest.mark.parametrize("what", CASES)

@@ -31,7 +31,8 @@ LISTS = (
 HEAD = """# Keywords
 
 What may be written in a case, with units and defaults, as `vertexContactFoam -list…` prints it. `writeKeywords.py` has made this page of it; a test
-says when it is out of date. The solver takes no other keywords there: a wrong one is an error that names the valid ones.
+says when it is out of date. The solver takes no other keywords there: a wrong one is an error that names the valid ones. `controlDict` has those of OpenFOAM, too,
+and [variables](options.md#keywords-of-controldict).
 """
 
 

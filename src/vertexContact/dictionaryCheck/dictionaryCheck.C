@@ -75,23 +75,15 @@ Foam::word Foam::dictionaryCheck::within
 }
 
 
-namespace
-{
-
-//- The question, if there is something to propose
-Foam::string proposal
+Foam::string Foam::dictionaryCheck::proposal
 (
-    const Foam::word& given,
-    const Foam::UList<Foam::word>& valid
+    const word& given,
+    const UList<word>& valid
 )
 {
-    const Foam::word best(Foam::dictionaryCheck::nearest(given, valid));
-    return
-        best.empty() ? Foam::string()
-      : Foam::string(" Did you mean '" + best + "'?");
+    const word best(nearest(given, valid));
+    return best.empty() ? string() : string(" Did you mean '" + best + "'?");
 }
-
-} // End anonymous namespace
 
 
 Foam::string Foam::dictionaryCheck::listed(const UList<word>& words)

@@ -6,16 +6,14 @@
 
 #include "controlKeywords.H"
 #include "dictionaryCheck.H"
+#include "dictionaryText.H"
 #include "preset.H"
 #include "stepRatios.H"
 #include "massScaling.H"
 #include "massDamping.H"
 #include "kineticRelaxation.H"
 #include "Time.H"
-#include "IFstream.H"
 #include "Switch.H"
-#include <regex>
-#include <sstream>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -24,23 +22,22 @@ namespace
 
 using namespace Foam;
 
-//- Letters within which a keyword is taken for a misspelt one of ours
+//- Letters within which a keyword is taken for a misspelt one where it may be
+//  a variable of a file that was not seen, or of one that others include, too
 constexpr label close = 2;
 
-//- Those of OpenFOAM and its programs
+//- Those that OpenFOAM itself reads here, in all releases from v1912 on
 const wordList& others()
 {
     static const wordList names
     ({
         "FoamFile", "application", "libs", "functions", "startFrom",
-        "startTime", "beginTime", "stopAt", "endTime", "deltaT",
-        "adjustTimeStep", "maxDeltaT", "maxDi", "maxAlphaCo", "writeControl",
-        "writeInterval", "secondaryWriteControl", "secondaryWriteInterval",
-        "purgeWrite", "writeFormat", "writeVersion", "writePrecision",
-        "writeCompression", "timeFormat", "timePrecision", "graphFormat",
-        "runTimeModifiable", "profiling", "cacheTemporaryObjects",
-        "DebugSwitches", "InfoSwitches", "OptimisationSwitches",
-        "DimensionedConstants", "DimensionSets", "Documentation"
+        "startTime", "stopAt", "endTime", "deltaT", "writeControl",
+        "writeInterval", "writeFrequency", "purgeWrite", "writeFormat",
+        "writeVersion", "writePrecision", "writeCompression", "timeFormat",
+        "timePrecision", "graphFormat", "runTimeModifiable", "profiling",
+        "cacheTemporaryObjects", "DebugSwitches", "InfoSwitches",
+        "OptimisationSwitches", "DimensionedConstants", "DimensionSets"
     });
     return names;
 }
@@ -58,26 +55,13 @@ const control types[] =
 {
     {"preset", kind::text}, {"maxCo", kind::number},
     {"timeIntegrator", kind::text}, {"adjustTimeStep", kind::onOff},
-    {"minDeltaT", kind::number}, {"maxEnergyRise", kind::number},
+    {"minDeltaT", kind::number}, {"maxDeltaT", kind::number},
+    {"maxEnergyRise", kind::number},
     {"logInterval", kind::number}, {"subCycling", kind::onOff},
     {"maxSubCycles", kind::number}, {"contactIterations", kind::number},
     {"massScaling", kind::dict}, {"damping", kind::dict},
     {"relaxation", kind::dict}
 };
-
-//- A keyword of the file is used in it as a variable. The text, since a
-//  dictionary that was read has its variables replaced
-bool isVariable(const Time& runTime, const word& name)
-{
-    IFstream is(runTime.globalPath()/runTime.system()/"controlDict");
-    if (!is.good()) return false;
-    std::stringstream text;
-    text<< is.stdStream().rdbuf();
-    return std::regex_search
-    (
-        text.str(), std::regex("\\$[{:.^]*" + name + "\\b")
-    );
-}
 
 void checkType(const dictionary& dict, const control& c)
 {
@@ -159,6 +143,7 @@ Foam::keywordList Foam::controlKeywords::keywords()
                 "adjustTimeStep", "", "yes",
                 "step from the state; no: deltaT"
             },
+            {"maxDeltaT", "s", "none", "longest step, unless it is deltaT"},
             {
                 "minDeltaT", "s", "1e-6 of the first",
                 "stable step that ends the run"
@@ -205,20 +190,28 @@ void Foam::controlKeywords::check(const Time& runTime)
 {
     const dictionary& dict = runTime.controlDict();
     const wordList ours(keywords().names());
+    wordList known(ours);
+    known.append(others());
+    const dictionaryText text
+    (
+        runTime.globalPath()/runTime.system()/"controlDict"
+    );
     for (const entry& e : dict)
     {
         const keyType& key = e.keyword();
-        if (key.isPattern() || ours.found(key) || others().found(key)) continue;
+        if (key.isPattern() || known.found(key)) continue;
+        if (key[0] == '_' || text.uses(key)) continue;
 
-        const word nearest(dictionaryCheck::within(key, ours, close));
-        if (nearest.size() && !isVariable(runTime, key))
+        const bool anyOther = text.complete() && text.names(key);
+        if (anyOther || dictionaryCheck::within(key, known, close).size())
         {
             FatalIOErrorInFunction(dict)
-                << "Unknown keyword '" << key << "'. Did you mean '" << nearest
-                << "'?" << nl << "Keywords of vertexContact here: "
+                << "Unknown keyword '" << key << "'."
+                << dictionaryCheck::proposal(key, known).c_str() << nl
+                << "Keywords of vertexContact here: "
                 << dictionaryCheck::listed(ours).c_str() << nl
-                << "A variable of yours is one that the file uses by $" << key
-                << exit(FatalIOError);
+                << "An entry of yours is one that this file uses by $" << key
+                << ", or whose name begins with _" << exit(FatalIOError);
         }
     }
     for (const control& c : types) checkType(dict, c);

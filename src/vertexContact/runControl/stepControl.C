@@ -48,6 +48,10 @@ Foam::stepControl::stepControl(const Time& runTime, const preset& defaults)
     );
     dictionaryCheck::require
     (
+        maxDeltaT() > 0, dict(), "maxDeltaT", maxDeltaT(), "positive"
+    );
+    dictionaryCheck::require
+    (
         contactIterations() > 0, dict(), "contactIterations",
         contactIterations(), "a positive integer"
     );
@@ -116,8 +120,9 @@ Foam::scalar Foam::stepControl::nextFitted
 }
 
 
-Foam::scalar Foam::stepControl::fitted(const scalar deltaT) const
+Foam::scalar Foam::stepControl::fitted(const scalar bound) const
 {
+    const scalar deltaT = min(bound, maxDeltaT());
     const scalar now = time_.value();
     const scalar remaining = nextFitted(now, deltaT) - now;
     if (remaining <= 0)

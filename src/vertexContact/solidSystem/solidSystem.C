@@ -83,7 +83,7 @@ void Foam::solidSystem::evaluateForces(const scalar time, const bool moved)
         {
             const scalar first =
                 control_.adjusts()
-              ? control_.maxCo()*stableStep()
+              ? min(control_.maxCo()*stableStep(), control_.maxDeltaT())
               : runTime_.deltaTValue();
             solve(0.5*first);
         }
