@@ -295,6 +295,78 @@ def test_moved_plate_is_as_an_obstacle(tmp_path, figures, motion):
             force[0][:n] - force[1][:n])/largest(force[1]), 5e-3)
 
 
+@pytest.mark.parametrize("free", ("x y z", "x z", "y", ""))
+def test_constant_force(tmp_path, figures, free):
+    """Directions that are free, with gravity and a force at the centre:
+    v t + (F/m + g) t^2/2. The others stay."""
+    force, speed, time = np.array((1, -2, 3)), np.array((0.3, 0.2, -0.1)), 2.0
+    may = np.array([c in free for c in "xyz"], dtype=float)
+    case = SmallCase(tmp_path, Body(
+        cells=(1, 1, 1), size=(1, 0.5, 2), velocity=speed, material=rigid(
+            rho=4, freeTranslation=f"({free})", force=force)), time,
+        gravity=(0, -3, 0), control={**FIXED, "deltaT": 0.1},
+        preset=DEFAULT).run()
+    way = may*(speed*time + (force/4 - (0, 3, 0))*time**2/2)
+    with figures(f"rigid body under a force, free in ({free})") as f:
+        f.atMost("way from theory / largest",
+                 largest(case.at("pointD") - way)/7, 1e-12)
+
+
+def turning(axis, angle, origin):
+    """A motion that turns by that angle in a second."""
+    return {"solidBodyMotionFunction": "rotatingMotion",
+            "rotatingMotionCoeffs": {
+                "origin": origin, "axis": axis, "omega": angle}}
+
+
+def turned(r, axis, angle):
+    c, s = np.cos(angle), np.sin(angle)
+    return c*r + s*np.cross(axis, r) + (1 - c)*np.outer(r @ axis, axis)
+
+
+def test_turning_region(tmp_path, figures):
+    """A rigid region that a motion turns is where the rotation brings it, its
+    momentum that of the middle of the last step."""
+    n, angle, origin = (0.48, 0.6, 0.64), 1.62, np.array((0.5, -4, 0.5))
+    steps = 100
+    case = SmallCase(tmp_path, Body(cells=(2, 2, 2), material=rigid(
+        motion=turning(n, angle, origin))), 1, preset=DEFAULT,
+        control={**FIXED, "deltaT": 1/steps}).run()
+    r = case.X() - origin
+    way = turned(r, n, angle) - r
+    U = angle*np.cross(n, turned(r, n, angle*(1 - 0.5/steps)))
+    with figures("rigid region that a motion turns") as f:
+        f.atMost("way from theory / largest",
+                 largest(case.at("pointD") - way)/largest(way), 1e-13)
+        f.atMost("momentum per mass from theory / largest", largest(
+            case.at("lm") - U)/largest(U), 0.1*(angle/steps)**2)
+
+
+def test_turning_obstacle(tmp_path, figures):
+    """A plane that a motion turns below a block is where the rotation brings
+    it: the gaps of the block say so."""
+    n, angle, origin = (0.6, 0, 0.8), 0.05, np.array((-1, -0.2, 0.3))
+    case = SmallCase(tmp_path, Body(
+        cells=(4, 4, 4), name="block", sides={"bottom": "contact"}), 1,
+        interfaces={"c": {
+            "side": ("block", "bottom"), "law": {"type": "frictionless"},
+            "motion": turning(n, angle, origin), "obstacle": {
+                "type": "plane", "planeType": "pointAndNormal",
+                "pointAndNormalDict": {"point": origin,
+                                       "normal": (0, 1, 0)}}}},
+        preset=DEFAULT).run()
+    X = case.X()
+    bottom = X[:, 1] == 0
+    gap = (X[bottom] - origin) @ turned(np.eye(3)[1:2], n, angle)[0]
+    with figures("plane that a motion turns") as f:
+        f.atMost("gaps from theory / width", largest(
+            case.at("contactGap")[bottom, 0] - gap), 1e-12)
+        f.atLeast("change of a gap by the turn / width",
+                  largest(gap - 0.2), 0.05)
+        f.atMost("displacement of the block", largest(case.at("pointD")),
+                 1e-15)
+
+
 def test_rest(tmp_path, figures):
     """A rigid block that lies on a soft one under gravity, at the sag of
     statics (a column without lateral strain), stays at rest there."""
