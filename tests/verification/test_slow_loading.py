@@ -124,6 +124,35 @@ def test_scaled_contact(tmp_path, figures):
                      / one.energies["total:kinetic"][0], 1e-12)
 
 
+def test_scaled_energies(tmp_path, figures):
+    """A block of scaled mass falls on one that is held, with one step for both:
+    the balance of all energies is that of the scaled mass. With the true one
+    it would miss almost all of the kinetic energy."""
+    g, factor = 0.02, 9
+    block = Body(cells=(6, 5), name="block", start=(0, 1.02, 0),
+                 velocity=(0, -0.05, 0), sides={"bottom": "contact"})
+    base = Body(cells=(5, 4), name="base", start=(-0.2, 0, 0),
+                size=(1.4, 1, 1), sides={"top": "contact", "bottom": HELD})
+    case = finished(make(
+        tmp_path/"case", [block, base], 4, gravity=(0, -g, 0),
+        interfaces={"c": interface(("block", "bottom"), ("base", "top"),
+                                   pairing="nearestFace")},
+        massScaling={"block": {"factor": factor, "force": "yes"}}))
+    e = case.energies
+    kinetic = factor*0.05**2/2
+    with figures("block of scaled mass falls on another one") as f:
+        f.within("initial kinetic energy / that of the scaled mass",
+                 e["block:kinetic"][0]/kinetic, 1, 1e-9)
+        f.atMost("balance / initial kinetic energy",
+                 largest(e["total:balance"])/kinetic, 1e-3)
+        f.atLeast("energy in the base / initial kinetic energy", (
+            e["base:kinetic"] + e["base:strain"]).max()/kinetic, 0.2)
+        f.atLeast("work of the weight / initial kinetic energy",
+                  largest(e["total:externalWork"])/kinetic, 0.1)
+        f.atLeast("range of the kinetic energy of the block / initial",
+                  np.ptp(e["block:kinetic"])/kinetic, 0.5)
+
+
 # Damping
 
 def test_free_decay(tmp_path, figures):
