@@ -7,8 +7,8 @@ import pytest
 import readResults
 from caseTools import DEFAULT, execute
 from contactScenes import rigid, spinning, toolAndBlock
-from smallCases import (EACH_STEP, FLOOR, RUBBER, Body, SmallCase, coulomb,
-                        interface, largest, table)
+from smallCases import (EACH_STEP, FLOOR, RUBBER, Body, SmallCase, condition,
+                        coulomb, interface, largest, table)
 
 # The run of one rigid region has no step of its own
 FIXED = {"adjustTimeStep": "no"}
@@ -393,6 +393,152 @@ def test_rest(tmp_path, figures):
         f.atMost("kinetic energy / strain energy",
                  case.energies["total:kinetic"].max()
                  / case.energies["total:strain"].max(), 1e-4)
+
+
+# What holds a rigid region
+
+def reaction(case, name, kind):
+    """A vector of reactionForces, a row each step."""
+    columns = readResults.table(case.path, "reactionForces", "reactions.dat")
+    return np.array([columns[f"{name}:{kind}{c}"] for c in "xyz"]).T
+
+
+def histories(*names, **more):
+    """Of function objects, with a row each step."""
+    return {"functions": {name: {
+        "type": name, "libs": "(vertexContact)", **EACH_STEP,
+        **more.get(name, {})} for name in ("solidEnergies", *names)}}
+
+
+@pytest.mark.parametrize("free", ("about its axis", "about all"))
+def test_force_of_a_pivot(tmp_path, figures, free):
+    """A pendulum from 60 degrees: the pivot bears m g cos + m d w^2 along the
+    rod, and m g sin (1 - m d^2/I) across, with the w of its energy. An axis
+    also bears the moment of a force along it in the middle of the rod."""
+    mass, d, side = np.prod(ROD), ROD[1]/2, 0.01
+    inertia = ROD_INERTIA + d**2
+    axis = free == "about its axis"
+    errors = []
+    for steps in 1000, 2000:
+        case = SmallCase(
+            tmp_path/f"{steps}", Body(
+                cells=(1, 2, 1), **HANGING,
+                displacement=lifted(about("z", np.pi/3)), material=rigid(
+                    pivot=(0, 0, 0), **({"freeRotation": "(z)", "force":
+                                         (0, 0, side)} if axis else {}))),
+            0.6*PERIOD, gravity=(0, -GRAVITY, 0), preset=DEFAULT, control={
+                **FIXED, "deltaT": PERIOD/steps, **histories(
+                    "reactionForces", "solidAverages",
+                    solidAverages={"fields": "(pointD)"})}).run()
+        means = readResults.table(case.path, "solidAverages", "averages.dat")
+        down = np.array([means["body:pointD.x"],
+                         means["body:pointD.y"] - d]).T/d
+        # The force acts at the start of the step
+        cos, sin = -down[:-1, 1], down[:-1, 0]
+        along = GRAVITY*(cos + 2*d**2/inertia*(cos - 0.5))
+        across = GRAVITY*sin*(1 - d**2/inertia)
+        theory = mass*np.array((-along*sin + across*cos,
+                                along*cos + across*sin)).T
+        F = reaction(case, "body", "F")[1:]
+        errors.append(largest(F[:, :2] - theory)/(mass*GRAVITY))
+    M = reaction(case, "body", "M")[1:]
+    lever = d*np.array((cos, sin)).T
+    with figures(f"pivot of a pendulum, free {free}") as f:
+        f.atMost("force from theory / weight", errors[1], 2e-3)
+        f.within("ratio of two steps", errors[0]/errors[1], 2, 0.2)
+        f.atLeast("largest force / weight",
+                  largest(F)/(mass*GRAVITY), 1.7)
+        f.atMost("force along the axis from theory / weight", largest(
+            F[:, 2] + axis*side)/(mass*GRAVITY), 1e-12)
+        f.atMost("moment from theory / weight times length", largest(
+            M[:, :2] - axis*side*lever)/(mass*GRAVITY*d), 1e-12)
+
+
+def test_reactions_of_a_moved_region(tmp_path, figures):
+    """A plate that a motion presses on a block and that is held otherwise:
+    reaction, contact and weight are the change of its momentum to round-off,
+    and the work of the reaction is that of the energies."""
+    g = 0.01
+    block = Body(cells=(10, 8), name="block", material=RUBBER, sides={
+        "bottom": condition("fixedVelocity", velocity=(0, 0, 0)),
+        "top": "contact"})
+    plate = Body(cells=(3, 2), name="plate", start=(0.1, 1.001, 0),
+                 size=(1.2, 0.3, 1), sides={"bottom": "contact"},
+                 material=rigid(rho=2, force=(0.001, 0, 0), motion={
+                     "displacement": table(
+                         *((t, (0, -0.03*t**2, 0))
+                           for t in np.linspace(0, 2, 50)))}))
+
+    def scene(name, endTime, **control):
+        return SmallCase(
+            tmp_path/name, [block, plate], endTime, gravity=(0, -g, 0),
+            interfaces={"c": interface(
+                ("plate", "bottom"), ("block", "top"), coulomb(0.3),
+                pairing="nearestFace")}, preset=DEFAULT, control={
+                **histories("reactionForces", "contactForces"), **control})
+    case = scene("case", 1.5, maxCo=0.1, writeInterval=0.75).run()
+    columns = readResults.table(case.path, "reactionForces", "reactions.dat")
+    t = columns["Time"]
+    halfBack = (t - np.diff(t, prepend=0)/2)[1:, None]
+    contact = case.contact("c")
+    impulse = np.array([contact[f"plate.bottom:I{c}"] for c in "xyz"]).T
+    p = case.momentumOf("plate")
+    weight = 2*0.36*g
+    total = (reaction(case, "plate", "I")[1:] + impulse
+             + halfBack*np.array((0.001, -weight, 0)))
+    # Without that of the weight, and without the jolt of the start
+    external = case.energies["plate:externalWork"]
+    work = ((external[1:] + external[:-1])/2 - weight*0.03*halfBack[:, 0]**2)
+    with figures("plate that a motion presses on a block") as f:
+        f.atMost("impulses from the change of momentum / largest",
+                 largest(p[1:] - p[0] - total)/largest(p), 1e-12)
+        f.atMost("work of the reaction from that of the energies / largest",
+                 largest((columns["plate:work"][1:] - work)[1:])
+                 / largest(work), 0.01)
+        f.atLeast("work", work[-1], 1e-4)
+        f.atLeast("largest moment / weight times length",
+                  largest(reaction(case, "plate", "M"))/weight, 0.05)
+
+    again = scene("again", 0.75, maxCo=0.1).run()
+    again.set("system/controlDict", {"endTime": 1.5})
+    again.run()
+    own = scene("own", 1.5, writeInterval=0.75, subCycling="yes").run()
+    two = scene("two", 1.5, maxCo=0.1, writeInterval=0.75).runParallel(2)
+    I = reaction(case, "plate", "I")
+    n = np.count_nonzero(t < 1)
+    with figures("the same in two runs, on two ranks, with own steps") as f:
+        for name, its, limit in (
+                ("two runs", reaction(again, "plate", "I")[n] - I[n], 1e-12),
+                ("ranks", reaction(two, "plate", "I")[-1] - I[-1], 1e-9),
+                ("own steps", reaction(own, "plate", "I")[-1] - I[-1], 0.02)):
+            f.atMost(f"{name}, difference of the impulse / largest",
+                     largest(its)/largest(I), limit)
+
+
+def test_weight_on_a_held_region(tmp_path, figures):
+    """A block that lies at rest on a plate that does not move, off its middle:
+    the plate bears both weights, and the moment of the block's."""
+    g, arm, rho = 0.01, 0.3, 2
+    column = {"type": "linearElastic", "rho": 1, "E": 1, "nu": 0}
+    block = Body(cells=(4, 6), name="block", start=(0.5 + arm, 0, 0),
+                 sides={"bottom": "contact"}, material=column,
+                 displacement=lambda X: -g*(X[:, 1] - X[:, 1]**2/2)[:, None]
+                 * np.array((0, 1, 0)))
+    plate = Body(cells=(4, 1), name="plate", start=(0, -0.5, 0),
+                 size=(2, 0.5, 1), sides={"top": "contact"}, material=rigid(
+                     rho=rho, freeTranslation="()", freeRotation="()"))
+    case = SmallCase(tmp_path, [block, plate], 20, gravity=(0, -g, 0),
+                     interfaces={"c": interface(
+                         ("block", "bottom"), ("plate", "top"),
+                         pairing="nearestFace")}, preset=DEFAULT,
+                     control={"maxCo": 0.9,
+                              **histories("reactionForces")}).run()
+    F, M = (reaction(case, "plate", kind) for kind in "FM")
+    half = len(F)//2
+    with figures("block on a plate that is held") as f:
+        f.within("force / weights", F[half:, 1].mean()/(g*(1 + rho)), 1, 2e-3)
+        f.within("moment / weight of the block times its lever",
+                 M[half:, 2].mean()/(g*arm), 1, 5e-3)
 
 
 BAD = {

@@ -227,6 +227,61 @@ Foam::rigidBody::state Foam::rigidBody::present
 }
 
 
+Foam::vector Foam::rigidBody::linear(const state& s) const
+{
+    return s.P + mass_.mass*(spin(s, s.L) ^ s.q.transform(toCentre_));
+}
+
+
+Foam::vector Foam::rigidBody::angular(const state& s) const
+{
+    return
+        rotation_ == freedom::all
+      ? s.L
+      : vector(turned(inertia_, s.q) & spin(s, s.L));
+}
+
+
+Foam::rigidBody::reaction Foam::rigidBody::reactionOf
+(
+    const load& l,
+    const scalar kick
+) const
+{
+    reaction r;
+    const vector impulse(linear(now_) - linear(old_) - kick*l.force);
+    const vector twist(angular(now_) - angular(old_) - kick*l.moment);
+    for (label i = 0; i < nDim_; ++i)
+    {
+        r.impulse[directions_[i]] = impulse[directions_[i]];
+    }
+    if (nDim_ == 3)
+    {
+        r.twist = twist;
+    }
+    else if (nDim_ == 2)
+    {
+        const label out = 3 - directions_[0] - directions_[1];
+        r.twist[out] = twist[out];
+    }
+
+    // A pivot does none
+    if (motion_.valid())
+    {
+        r.work =
+            0.5/mass_.mass*(r.impulse & held() & (old_.P + now_.P));
+        if (rotation_ == freedom::none)
+        {
+            const vector none(Zero);
+            r.work +=
+                kinetic(now_, none, now_.L) - kinetic(old_, none, old_.L)
+              - 0.5*kick*(l.moment & (old_.L + now_.L));
+        }
+    }
+    return r;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::rigidBody::rigidBody
@@ -277,6 +332,19 @@ Foam::rigidBody::~rigidBody() = default;
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::rigidBody::isHeld() const
+{
+    if (pivot_) return true;
+    for (label i = 0; i < nDim_; ++i)
+    {
+        if (translation_[4*directions_[i]] < 1 - SMALL) return true;
+    }
+    return
+        (nDim_ == 3 && rotation_ != freedom::all)
+     || (nDim_ == 2 && rotation_ == freedom::none);
+}
+
 
 Foam::scalar Foam::rigidBody::compliance(const point& X) const
 {
@@ -413,7 +481,8 @@ Foam::rigidBody::works Foam::rigidBody::leap
     const scalar time,
     const scalar deltaT,
     const scalar kick,
-    const bool energy
+    const bool energy,
+    reaction* held
 )
 {
     old_ = now_;
@@ -429,7 +498,7 @@ Foam::rigidBody::works Foam::rigidBody::leap
     {
         pose = motion_->poseAt(time + deltaT);
         const vector way(pose.transformPoint(start_) - start_ - now_.shift);
-        now_.P += mass_.mass/deltaT*(held() & way);
+        now_.P += mass_.mass/deltaT*(this->held() & way);
         if (rotation_ == freedom::none)
         {
             now_.L = obstacleMotion::spin(now_.q, pose.r(), deltaT);
@@ -450,7 +519,7 @@ Foam::rigidBody::works Foam::rigidBody::leap
         sums = powers(mean);
         sums.external *= kick;
         sums.contact *= kick;
-        sums.external += mean.velocity & held() & (now_.P - old_.P);
+        sums.external += mean.velocity & this->held() & (now_.P - old_.P);
     }
 
     // Position
@@ -476,6 +545,7 @@ Foam::rigidBody::works Foam::rigidBody::leap
                 kinetic(now_, none, now_.L) - kinetic(old_, none, old_.L);
         }
     }
+    if (held) *held = reactionOf(l, kick);
     return sums;
 }
 
@@ -550,27 +620,18 @@ Foam::rigidBody::loadBalance Foam::rigidBody::balance() const
 
 Foam::vector Foam::rigidBody::linearMomentum() const
 {
-    if (!Pstream::master()) return vector::zero;
-    return
-        now_.P
-      + mass_.mass*(presentSpin() ^ now_.q.transform(toCentre_));
+    return Pstream::master() ? linear(now_) : vector(vector::zero);
 }
 
 
 Foam::vector Foam::rigidBody::angularMomentum() const
 {
     if (!Pstream::master()) return vector::zero;
-    const vector own
-    (
-        rotation_ == freedom::all
-      ? now_.L
-      : vector(turned(inertia_, now_.q) & presentSpin())
-    );
 
     // About a pivot the body has all of it, and its momentum counts from there
     const vector L
     (
-        ((start_ + now_.shift) ^ linearMomentum()) + own
+        ((start_ + now_.shift) ^ linear(now_)) + angular(now_)
     );
     vector possible(Zero);
     if (nDim_ == 3) return L;

@@ -19,8 +19,8 @@ Foam::constraintReactions::constraintReactions
 :
     held_(held),
     symmetry_(symmetry),
-    patches_(nPatches),
-    old_(nPatches)
+    patches_(max(nPatches, whole + 1)),
+    old_(patches_.size())
 {
     labelHashSet known(held.nodes());
     DynamicList<label> nodes(held.nodes()), mirrors;
@@ -53,7 +53,11 @@ Foam::constraintReactions::constraintReactions
 void Foam::constraintReactions::startStep()
 {
     old_ = patches_;
-    for (patchReaction& r : patches_) r.stepImpulse = vector::zero;
+    for (patchReaction& r : patches_)
+    {
+        r.stepImpulse = vector::zero;
+        r.stepTwist = vector::zero;
+    }
     stepTime_ = 0;
 }
 
@@ -127,6 +131,23 @@ void Foam::constraintReactions::add(const vertexData& data, const scalar kick)
         if (k < nHeld) held_.share(k, impulse, add);
         else symmetry_.share(mirrors_[k - nHeld], impulse, add);
     }
+}
+
+
+void Foam::constraintReactions::addWhole
+(
+    const rigidBody::reaction& r,
+    const scalar kick
+)
+{
+    // All ranks have the same
+    stepTime_ += kick;
+    if (!Pstream::master()) return;
+    patchReaction& its = patches_[whole];
+    its.impulse += r.impulse;
+    its.stepImpulse += r.impulse;
+    its.stepTwist += r.twist;
+    its.work += r.work;
 }
 
 

@@ -908,6 +908,7 @@ void Foam::solidBody::restoreMomentum()
 
 void Foam::solidBody::restoreOld()
 {
+    if (reactions_.valid()) reactions_->restore();
     if (rigid_.valid())
     {
         rigid_->restore(block_.valid());
@@ -930,7 +931,6 @@ void Foam::solidBody::restoreOld()
         data_.state.assignSolved(data_.old);
     }
     data_.state.sinceCommit = 0;
-    if (reactions_.valid()) reactions_->restore();
     if (keptCpi_.size())
     {
         data_.state.Cpi = keptCpi_;

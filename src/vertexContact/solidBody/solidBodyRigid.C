@@ -356,7 +356,13 @@ void Foam::solidBody::leapRigid
             data_.old.lm[a*d + i] = data_.state.lm[a*d + i];
         }
     }
-    const rigidBody::works sums(rigid_->leap(time, deltaT, kick, energy));
+    const bool reacts = reactions_.valid();
+    rigidBody::reaction held;
+    const rigidBody::works sums
+    (
+        rigid_->leap(time, deltaT, kick, energy, reacts ? &held : nullptr)
+    );
+    if (reacts) reactions_->addWhole(held, kick);
     accounts.external += sums.external;
     accounts.contact += sums.contact;
     oldStep_ = lastStep_;

@@ -23,8 +23,8 @@ namespace functionObjects
 namespace
 {
 
-//- Numbers of a patch: impulse, work, impulse of the step
-constexpr Foam::label nSums = 7;
+//- Numbers of a patch: impulse, work, impulse of the step, and its twist
+constexpr Foam::label nSums = 10;
 
 } // End anonymous namespace
 
@@ -38,10 +38,14 @@ Foam::word Foam::functionObjects::reactionForces::nameOf
 ) const
 {
     const solidBody& body = solids_.bodies()[bodyi];
-    return word
-    (
-        body.name() + '.' + body.mesh().boundaryMesh()[patchi].name(), false
-    );
+    return
+        body.rigid()
+      ? body.name()
+      : word
+        (
+            body.name() + '.' + body.mesh().boundaryMesh()[patchi].name(),
+            false
+        );
 }
 
 
@@ -62,6 +66,7 @@ Foam::scalarList Foam::functionObjects::reactionForces::collect
             for (const scalar c : r.impulse) sums.append(c);
             sums.append(r.work);
             for (const scalar c : r.stepImpulse) sums.append(c);
+            for (const scalar c : r.stepTwist) sums.append(c);
             its.append(reactions.stepTime());
         }
     }
@@ -125,9 +130,9 @@ Foam::functionObjects::reactionForces::reactionForces
     {
         FatalIOErrorInFunction(dict)
             << "Function object '" << name << "' of type '" << type()
-            << "': no patch holds nodes of a region that deforms. Valid types "
-            << "in pointU: (fixedDisplacement fixedVelocity slip), and mirrors"
-            << exit(FatalIOError);
+            << "': no patch holds nodes of a region that deforms, and no rigid "
+            << "region is held. Valid types in pointU: (fixedDisplacement "
+            << "fixedVelocity slip), and mirrors" << exit(FatalIOError);
     }
 
     solids_.accountReactions();
@@ -137,19 +142,26 @@ Foam::functionObjects::reactionForces::reactionForces
         const List<string> names(record.get<List<string>>("patches"));
         const scalarList times(record.get<scalarList>("times"));
         const scalarList sums(record.get<scalarList>("sums"));
+
+        // Earlier releases wrote no twists
+        const label stride = names.size() ? sums.size()/names.size() : 0;
         forAll(patches_, i)
         {
             for (const label patchi : patches_[i])
             {
                 const label k = names.find(nameOf(i, patchi));
                 if (k < 0) continue;
-                const scalar* s = sums.cdata() + k*nSums;
+                const scalar* s = sums.cdata() + k*stride;
                 constraintReactions::patchReaction r;
                 if (Pstream::master())
                 {
                     r.impulse = vector(s[0], s[1], s[2]);
                     r.work = s[3];
                     r.stepImpulse = vector(s[4], s[5], s[6]);
+                    if (stride == nSums)
+                    {
+                        r.stepTwist = vector(s[7], s[8], s[9]);
+                    }
                 }
                 solids_.continueReaction(i, patchi, r, times[k]);
             }
@@ -175,6 +187,11 @@ Foam::functionObjects::reactionForces::reactionForces
                         "Ix[N.s]", "Iy[N.s]", "Iz[N.s]", "work[J]"
                     }
                 )
+                {
+                    os  << ' ' << patch.c_str() << ':' << c;
+                }
+                if (!solids_.bodies()[i].rigid()) continue;
+                for (const char* c : {"Mx[N.m]", "My[N.m]", "Mz[N.m]"})
                 {
                     os  << ' ' << patch.c_str() << ':' << c;
                 }
@@ -208,14 +225,21 @@ bool Foam::functionObjects::reactionForces::writeRow()
     if (Pstream::master())
     {
         *file_ << runTime_.value();
-        forAll(times, k)
+        label k = 0;
+        forAll(patches_, i)
         {
-            const scalar* s = sums.cdata() + k*nSums;
-            for (label c = 4; c < 7; ++c)
+            const bool rigid = solids_.bodies()[i].rigid();
+            for (label p = 0; p < patches_[i].size(); ++p, ++k)
             {
-                *file_ << ' ' << (times[k] > 0 ? s[c]/times[k] : scalar(0));
+                const scalar* s = sums.cdata() + k*nSums;
+                const scalar perTime = times[k] > 0 ? 1/times[k] : 0;
+                for (label c = 4; c < 7; ++c) *file_ << ' ' << s[c]*perTime;
+                for (label c = 0; c < 4; ++c) *file_ << ' ' << s[c];
+                for (label c = 7; rigid && c < 10; ++c)
+                {
+                    *file_ << ' ' << s[c]*perTime;
+                }
             }
-            for (label c = 0; c < 4; ++c) *file_ << ' ' << s[c];
         }
         *file_ << endl;
     }
