@@ -12,8 +12,8 @@ DROP = "dropTest"
 ELASTIC, RIGID = (
     Tutorial(DROP, "I", options=(("BOX", box),), preset=DEFAULT)
     for box in ("elastic", "rigid"))
-OWN_STEPS = Tutorial(DROP, "I", preset=DEFAULT, options=(("BOX", "elastic"),),
-                     control=(("subCycling", True),))
+OWN_STEPS = Tutorial(DROP, "I", preset=DEFAULT,
+                     options=(("BOX", "elastic"), ("STEPS", "own")))
 
 
 def floor(case):

@@ -184,14 +184,14 @@ def test_parallel_and_restart(tmp_path, figures):
                 bool((temperatures(half) == T).all()), True)
 
 
-COPPER = (("adiabaticHeating", (("beta", 0.9), ("cp", 385), ("T0", 293))),)
-# The same yield stress, until it gets warm
+# Copper as with HEAT=1, with the same yield stress until it gets warm
 SOFT_COPPER = (("tauY", None), ("Hardening", None), ("JohnsonCook", (
     ("A", 0.4e9), ("B", 0.1e9), ("n", 1), ("C", 0), ("m", 1.09),
-    ("Tmelt", 1356))), *COPPER)
-BARS = {name: Tutorial("taylorBar", "2", preset=DEFAULT, material=material)
-        for name, material in (("cold", ()), ("warm", COPPER),
-                               ("soft", SOFT_COPPER))}
+    ("Tmelt", 1356))),
+    ("adiabaticHeating", (("beta", 0.9), ("cp", 385), ("T0", 293))))
+BARS = {name: Tutorial("taylorBar", "2", preset=DEFAULT, **more)
+        for name, more in (("cold", {}), ("warm", {"options": (("HEAT", "1"),)}),
+                           ("soft", {"material": SOFT_COPPER}))}
 
 
 @pytest.mark.scenes(*BARS.values())

@@ -29,14 +29,16 @@ VIEW = drawSolids.turn(0, -75) @ drawSolids.turn(2, 25)
 
 
 def settings(case):
-    """Elements over the height of a foot, and how the box is."""
+    """Elements over the height of a foot, how the box is, and the steps."""
     return (round(8/float(drawHistories.parameter(case, "size", 2))),
-            str(drawHistories.parameter(case, "box", "elastic")))
+            str(drawHistories.parameter(case, "box", "elastic")),
+            "own" if drawHistories.parameter(case, "subCycling") else "one")
 
 
 def label(case):
-    n, box = settings(case)
-    return f"{MESHES.get(n, f'{n} elements')}, {box} box"
+    n, box, steps = settings(case)
+    return (f"{MESHES.get(n, f'{n} elements')}, {box} box"
+            + (", own steps" if steps == "own" else ""))
 
 
 def plotForce(file, runs):

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Pictures of this case: epsilonPEq.png, pressure.png, histories.png and
-energies.png.
+"""Pictures of this case: epsilonPEq.png, pressure.png, with heat
+pointT.png, histories.png and energies.png.
 
     plot.py [CASE]
 """
@@ -22,6 +22,7 @@ TIMES = 20e-6, 40e-6, 60e-6, 80e-6
 TIME_UNIT = "µs", 1e-6
 STRAIN = drawFields.Field(
     "epsilonPEq", "equivalent plastic strain", 1, signed=False)
+TEMPERATURE = drawFields.Field("pointT", "temperature [K]", 1, signed=False)
 PRESSURE = drawFields.Field("pressure", "pressure [GPa]", 1e9)
 VIEW = drawSolids.turn(0, 8) @ drawSolids.turn(1, -150)  # onto the mirrors
 
@@ -39,7 +40,10 @@ def label(case):
 
 def main(case="."):
     case = Path(case)
-    for field in STRAIN, PRESSURE:
+    fields = [STRAIN, PRESSURE]
+    if drawHistories.parameter(case, "heat"):
+        fields.append(TEMPERATURE)
+    for field in fields:
         drawSolids.draw(
             case/f"{field.name}.png",
             drawSolids.read(case, TIMES, field, VIEW),
