@@ -548,6 +548,37 @@ def test_variable_of_the_user(case, what):
     assert done.returncode == 0, done.stdout
 
 
+def test_start_fields_are_those_of_the_list(case):
+    """Each field that -listStartFields has is taken, and has its type and
+    dimensions."""
+    output = execute(["vertexContactFoam", "-listStartFields"],
+                     case.path).stdout
+    rows = re.findall(r"(?m)^    (\w+) +\[(\S+)\] +(\w+)  ", output)
+    units = {"m/s": "0 1 -1 0 0 0 0", "m": "0 1 0 0 0 0 0",
+             "-": "0 0 0 0 0 0 0", "K": "0 0 0 1 0 0 0"}
+    values = {"scalar": "300", "vector": "(0 0 0)",
+              "tensor": "(1 0 0 0 1 0 0 0 1)", "symmTensor": "(1 0 0 1 0 1)"}
+    assert len(rows) == 7
+    elastic = (case/material).read_text()
+    edit(contact, {"interfaces/bars/law/type": "Coulomb",
+                   "interfaces/bars/law/frictionCoeff": 0.3})(case)
+    for name, unit, kind in rows:
+        if name == "pointU":
+            continue
+        if name in ("CpInv", "epsilonPEq", "pointT"):
+            plastic("tauY 1; adiabaticHeating { cp 400; }")(case)
+        else:
+            (case/material).write_text(elastic)
+        kind = kind[0].upper() + kind[1:]
+        for dimensions, code in ((units[unit], 0), ("0 0 0 0 0 1 0", 1)):
+            field(name, kind, dimensions, values[kind[0].lower() + kind[1:]])(
+                case)
+            done = execute(["vertexContactFoam", "-dry-run"], case.path)
+            assert done.returncode == code, done.stdout
+        assert name in done.stdout and "dimensions" in done.stdout
+        (case/f"0/bar1/{name}").unlink()
+
+
 def test_longest_step(case):
     """maxDeltaT bounds the step, unless that is fixed."""
     def step(**entries):

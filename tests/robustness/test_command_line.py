@@ -10,9 +10,9 @@ import caseTools
 from caseTools import DEFAULT, checked, execute
 from smallCases import ELASTIC, Body, SmallCase, condition, interface
 
-LISTS = {"listMaterials", "listContactLaws", "listPairings",
-         "listBoundaryConditions", "listBodyForces", "listSchemes",
-         "listControls", "listPresets", "listIntegrators",
+LISTS = {"listMaterials", "listStartFields", "listContactLaws",
+         "listPairings", "listBoundaryConditions", "listBodyForces",
+         "listSchemes", "listControls", "listPresets", "listIntegrators",
          "listFunctionObjects"}
 
 

@@ -17,6 +17,7 @@ PAGE = Path(__file__).resolve().parent/"keywords.md"
 # Options in the order of the page, and the page that explains them
 LISTS = (
     ("Materials", "case.md"),
+    ("StartFields", "case.md"),
     ("BoundaryConditions", "case.md"),
     ("BodyForces", "case.md"),
     ("Pairings", "contact.md"),

@@ -28,9 +28,9 @@ Usage
         (1.6 times that for a step that goes on falling) with 2.5 times the
         steps; two bars, whose number of steps is exact, 1.3 s instead of 0.8.
 
-      - \par -listMaterials, -listContactLaws, -listPairings,
-        -listBoundaryConditions, -listBodyForces, -listSchemes, -listControls,
-        -listPresets, -listIntegrators, -listFunctionObjects
+      - \par -listMaterials, -listStartFields, -listContactLaws,
+        -listPairings, -listBoundaryConditions, -listBodyForces, -listSchemes,
+        -listControls, -listPresets, -listIntegrators, -listFunctionObjects
         List what may be written in a case, with units, defaults and meaning,
         and end. No case is needed (modelLists).
 

@@ -19,6 +19,7 @@
 #include "solidBoundaryCondition.H"
 #include "solidFunctionObject.H"
 #include "controlKeywords.H"
+#include "regionFiles.H"
 #include "stepRatios.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -84,6 +85,24 @@ void listMaterials(Ostream& os)
         materialModel::commonKeywords()
     );
     writeModels<materialModel>(os);
+    writeKeywords
+    (
+        os, "constant/solidProperties, for regions without a file of their own",
+        regionFiles::sharedKeywords()
+    );
+}
+
+
+void listStartFields(Ostream& os)
+{
+    writeHeading
+    (
+        os,
+        "Start fields: point fields in <time>/<region>, or with one value in "
+        "<time>, and their types; pointU is required"
+    );
+    regionFiles::startFields().write(os);
+    os  << nl;
 }
 
 
@@ -296,6 +315,10 @@ struct listOption
 const listOption options[] =
 {
     {"listMaterials", "List materials and their keywords", listMaterials},
+    {
+        "listStartFields", "List fields that a run may begin with",
+        listStartFields
+    },
     {
         "listContactLaws", "List contact laws and their keywords",
         listContactLaws

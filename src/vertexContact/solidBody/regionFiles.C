@@ -65,6 +65,48 @@ bool isCase(const polyMesh& mesh)
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
+Foam::keywordList Foam::regionFiles::sharedKeywords()
+{
+    return
+    {
+        {
+            "<region>", "", "none",
+            "dictionary as mechanicalProperties; a name, or a regular "
+            "expression of names in quotes"
+        }
+    };
+}
+
+
+Foam::keywordList Foam::regionFiles::startFields()
+{
+    return
+    {
+        {"pointU", "m/s", "vector", "velocity; its patches are the conditions"},
+        {"pointD", "m", "vector", "displacement, and the stress of it"},
+        {
+            "F0", "-", "tensor",
+            "deformation from where there is no stress to the mesh; elastic "
+            "laws"
+        },
+        {
+            "CpInv", "-", "symmTensor",
+            "inverse plastic right Cauchy-Green tensor, determinant 1; "
+            "HenckyVonMises"
+        },
+        {
+            "epsilonPEq", "-", "scalar",
+            "equivalent plastic strain; HenckyVonMises"
+        },
+        {"pointT", "K", "scalar", "temperature; with adiabaticHeating"},
+        {
+            "contactSlide", "m", "vector",
+            "what friction remembers; written by runs and mapState"
+        }
+    };
+}
+
+
 Foam::dictionary Foam::regionFiles::material(const polyMesh& mesh)
 {
     const Time& runTime = mesh.time();
