@@ -410,8 +410,9 @@ CASES = {
     "keyword of another program": (
         edit("system/controlDict", {"maxAlphaCo": 0.1}),
         ("controlDict", "'maxAlphaCo'", "maxCo")),
-    "variable that only a comment uses": (
-        control("hourglass 0.1; // $hourglass\n/* ${hourglass} */"),
+    "variable of a file whose include is a comment": (
+        all_of(control('hourglass 0.1; // #include "shared"\n'),
+               rewrite("system/shared", "maxEnergyRise $hourglass;")),
         ("controlDict", "'hourglass'")),
     "variable that is part of another one": (
         control("hour 0.1; hourglass 1; logInterval $hourglass;"),
@@ -528,6 +529,8 @@ VARIABLES = {
     "of a file that is found by a variable": (
         'name "shared"; hourglass 5;\n#include "$name"\n',
         "logInterval $hourglass;"),
+    "of what is a comment for the moment": (
+        "hourglass 5; // logInterval $hourglass;\n", ""),
     "marked": ("_hourglass 5;", ""),
     "dictionary of code": (
         "hourglass { size 3; }\nfunctions { seen { type coded; libs "

@@ -86,6 +86,7 @@ std::string Foam::dictionaryText::read(const fileName& file)
     seen_.insert(file);
     std::stringstream text;
     text<< is.stdStream().rdbuf();
+    all_ += text.str() + '\n';
     return withoutComments(text.str());
 }
 
@@ -96,7 +97,6 @@ void Foam::dictionaryText::include
     const fileName& folder
 )
 {
-    all_ += text + '\n';
     static const std::regex directive
     (
         "#(s?include|includeIfPresent|s?includeEtc)[ \t]+\"([^\"\n]*)\""
