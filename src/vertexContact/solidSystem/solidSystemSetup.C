@@ -190,7 +190,6 @@ void Foam::solidSystem::readSteps(const dictionary& record)
             its.getOrDefault<scalar>("lastStep", commonStep_)
         );
         ratios_->read(i, its);
-        bodies_[i].readRigid(its.subOrEmptyDict("rigid"));
     }
 }
 
@@ -226,6 +225,15 @@ Foam::solidSystem::solidSystem(Time& runTime)
     systemChecks::integrator(integrator_, preset_, control_, bodies_);
     systemChecks::rigid(control_, bodies_);
     readSlowLoading(record_);
+    // Surfaces are paired with the velocities that they had
+    for (solidBody& body : bodies_)
+    {
+        body.readRigid
+        (
+            record_.subOrEmptyDict("region_" + body.name())
+           .subOrEmptyDict("rigid")
+        );
+    }
     readInterfaces();
     readGravity();
 
