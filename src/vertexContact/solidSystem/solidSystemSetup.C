@@ -181,15 +181,28 @@ void Foam::solidSystem::readSteps(const dictionary& record)
             << "'maxSubCycles 1' gives one step to all regions."
             << exit(FatalIOError);
     }
+    forAll(bodies_, i) ratios_->read(i, recordOf(i, record));
+}
+
+
+Foam::dictionary Foam::solidSystem::recordOf
+(
+    const label bodyi,
+    const dictionary& record
+) const
+{
+    return record.subOrEmptyDict("region_" + bodies_[bodyi].name());
+}
+
+
+void Foam::solidSystem::readMotions(const dictionary& record)
+{
+    const scalar step = record.getOrDefault<scalar>("lastStep", 0);
     forAll(bodies_, i)
     {
-        const dictionary& its =
-            record.subOrEmptyDict("region_" + bodies_[i].name());
-        bodies_[i].setLastStep
-        (
-            its.getOrDefault<scalar>("lastStep", commonStep_)
-        );
-        ratios_->read(i, its);
+        const dictionary its(recordOf(i, record));
+        bodies_[i].setLastStep(its.getOrDefault<scalar>("lastStep", step));
+        bodies_[i].readRigid(its.subOrEmptyDict("rigid"));
     }
 }
 
@@ -226,14 +239,7 @@ Foam::solidSystem::solidSystem(Time& runTime)
     systemChecks::rigid(control_, bodies_);
     readSlowLoading(record_);
     // Surfaces are paired with the velocities that they had
-    for (solidBody& body : bodies_)
-    {
-        body.readRigid
-        (
-            record_.subOrEmptyDict("region_" + body.name())
-           .subOrEmptyDict("rigid")
-        );
-    }
+    readMotions(record_);
     readInterfaces();
     readGravity();
 
