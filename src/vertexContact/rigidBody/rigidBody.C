@@ -482,7 +482,7 @@ Foam::rigidBody::works Foam::rigidBody::leap
     const scalar deltaT,
     const scalar kick,
     const bool energy,
-    reaction* held
+    reaction* reacted
 )
 {
     old_ = now_;
@@ -498,7 +498,7 @@ Foam::rigidBody::works Foam::rigidBody::leap
     {
         pose = motion_->poseAt(time + deltaT);
         const vector way(pose.transformPoint(start_) - start_ - now_.shift);
-        now_.P += mass_.mass/deltaT*(this->held() & way);
+        now_.P += mass_.mass/deltaT*(held() & way);
         if (rotation_ == freedom::none)
         {
             now_.L = obstacleMotion::spin(now_.q, pose.r(), deltaT);
@@ -519,7 +519,7 @@ Foam::rigidBody::works Foam::rigidBody::leap
         sums = powers(mean);
         sums.external *= kick;
         sums.contact *= kick;
-        sums.external += mean.velocity & this->held() & (now_.P - old_.P);
+        sums.external += mean.velocity & held() & (now_.P - old_.P);
     }
 
     // Position
@@ -545,7 +545,7 @@ Foam::rigidBody::works Foam::rigidBody::leap
                 kinetic(now_, none, now_.L) - kinetic(old_, none, old_.L);
         }
     }
-    if (held) *held = reactionOf(l, kick);
+    if (reacted) *reacted = reactionOf(l, kick);
     return sums;
 }
 

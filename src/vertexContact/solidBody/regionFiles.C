@@ -181,12 +181,17 @@ Foam::fileName Foam::regionFiles::sharedField
     const polyMesh& mesh
 )
 {
-    // No others: names such as F may be those of anything
-    static const wordList start
+    // No others: names such as F may be those of anything; and what friction
+    // remembers is one body's
+    if
     (
-        {"pointU", "pointD", "F0", "CpInv", "epsilonPEq", "pointT"}
-    );
-    if (isCase(mesh) || !start.found(name)) return fileName();
+        isCase(mesh)
+     || name == "contactSlide"
+     || !startFields().names().found(name)
+    )
+    {
+        return fileName();
+    }
 
     const Time& runTime = mesh.time();
     const fileName file(runTime.globalPath()/runTime.timeName()/name);

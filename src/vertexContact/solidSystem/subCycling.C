@@ -172,7 +172,9 @@ void Foam::solidSystem::evaluateInBlocks(const scalar time, const bool moved)
         {
             const scalar stable = stableStep();
             const scalar step =
-                adjusts ? control_.maxCo()*stable : runTime_.deltaTValue();
+                adjusts
+              ? min(control_.maxCo()*stable, control_.maxDeltaT())
+              : runTime_.deltaTValue();
             const stepRatios::ratios r
             (
                 ratios_->of(step, control_.maxCo()*stable_)

@@ -50,14 +50,14 @@ TEST_CASE("Records are their scalars, in their order", "[contact][serial]")
     s.v = vector(4, 5, 6);
     s.n = vector(0, 0, 1);
     s.stretch = 1.5;
-    s.gives = 0.25;
+    s.compliance = 0.25;
     s.inner = 1;
     const surfaceState t(sentAndRead(s));
     CHECK(t.x == s.x);
     CHECK(t.v == s.v);
     CHECK(t.n == s.n);
     CHECK(t.stretch == s.stretch);
-    CHECK(t.gives == s.gives);
+    CHECK(t.compliance == s.compliance);
     CHECK(t.inner == s.inner);
     for (label i = 0; i < 6; ++i) CHECK(scalarRecord::cdata(t)[i] == i + 1);
     CHECK(scalarRecord::size<surfaceState>() == surfaceRows*nLanes);

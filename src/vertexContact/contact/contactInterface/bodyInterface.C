@@ -186,7 +186,7 @@ void Foam::bodyInterface::findStates
         s.v = body.contact().velocityWithout(node);
         s.stretch = mag(area);
         s.n = area/s.stretch;
-        s.gives = body.surfaceCompliance(side.patchi, k);
+        s.compliance = body.surfaceCompliance(side.patchi, k);
         s.inner = rim.size() && rim[k] ? 0 : 1;
     }
 }

@@ -98,7 +98,7 @@ Foam::contactFaceList Foam::contactPairings::nearestFace::oppositeFaces
                 (
                     contactSurface::face
                     (
-                        plus_, plusCorners_, o.face, plus.current
+                        plus_, plusCorners_, o.face, !bonded_
                     )
                 );
             }
