@@ -87,7 +87,7 @@ def test_rise_of_energy(tmp_path, preset, gains):
             pairing="matching")}, preset=preset)
     code, output = case.attempt()
     assert code == 0, output
-    own = case.totalEnergy - case.energies["total:externalWork"]
+    own = case.keptEnergy - case.energies["total:externalWork"]
     rise = np.max(own - np.minimum.accumulate(own))
     assert (rise > 0.02*case.totalEnergy.max()) == gains, rise
     assert ("of its largest value, without work" in output) == gains, output

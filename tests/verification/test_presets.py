@@ -1,6 +1,7 @@
-"""The presets in all cases of the trade: 'balanced' and 'accurate' have a smaller
-error than 'fast'; none is worse than its row of trade.csv by a tenth; and each
-is the options that it stands for."""
+"""The presets in all cases of the trade: 'fast' takes longer steps than 'balanced'
+and is as good where bodies are solid, not at fronts in one dimension; none is
+worse than its row of trade.csv by a tenth; and each is the options that it
+stands for."""
 
 import pytest
 
@@ -16,11 +17,11 @@ MESHES = {"similar": "128", "dissimilar": "128", "rings": "5",
 
 # Options of the presets, of vertexCentred and of controlDict
 SCHEME = {"cells": "simplicial", "dissipation": "0.25",
-          "frontDissipation": "1", "volume": "automatic"}
+          "correction": f"{1/3:.17g}", "volume": "automatic"}
 WRITTEN = {
-    "fast": ({**SCHEME, "correction": "0"}, {"maxCo": "0.9"}),
-    "balanced": ({**SCHEME, "correction": f"{1/3:.17g}"}, {"maxCo": "0.9"}),
-    "accurate": ({**SCHEME, "correction": f"{1/3:.17g}"}, {"maxCo": "0.45"}),
+    "fast": ({**SCHEME, "frontDissipation": "0.25"}, {"maxCo": "0.9"}),
+    "balanced": ({**SCHEME, "frontDissipation": "1"}, {"maxCo": "0.9"}),
+    "accurate": ({**SCHEME, "frontDissipation": "1"}, {"maxCo": "0.45"}),
     PAPER: ({"cells": "simplicial", "reconstruction": "full",
              "limiter": "BarthJespersen", "kinematics": "FHJ",
              "jacobian": "volumetric", "waveSpeed": "linear",
@@ -44,12 +45,18 @@ def test_ranking(name, calibration, figures):
         {preset: float(row[what]) for preset, row in rows.items()}
         for what in ("error", "steps", "rise"))
     with figures(f"presets, {case.title}") as f:
-        f.atMost("error of balanced / fast", error["balanced"]/error["fast"],
-                 1)
-        f.atMost("error of accurate / fast", error["accurate"]/error["fast"],
-                 1)
-        f.atMost("steps of fast / accurate", steps["fast"]/steps["accurate"],
-                 0.6)
+        if case.choices.get("dimension") == "1":
+            f.atMost("error of balanced / fast",
+                     error["balanced"]/error["fast"], 1)
+        else:
+            f.atMost("error of fast / balanced",
+                     error["fast"]/error["balanced"], 1.05)
+        f.atMost("error of accurate / balanced",
+                 error["accurate"]/error["balanced"], 1.2)
+        f.atMost("steps of fast / balanced", steps["fast"]/steps["balanced"],
+                 0.83)
+        f.atMost("steps of balanced / accurate",
+                 steps["balanced"]/steps["accurate"], 0.51)
         for preset in NAMES:
             # What contact has stored comes back
             f.atMost(f"{preset}: largest rise of the energy / initial",

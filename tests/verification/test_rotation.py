@@ -64,8 +64,10 @@ def test_spinning_cube(tmp_path, figures):
                  L[0, 2]/(1100*30/6), 1, 0.06)
         f.atMost("change of angular momentum / initial", drift(L), 1e-10)
         f.atMost("momentum / (mass omega edge)", largest(p)/(1100*30), 1e-12)
+        # Of second order; the centripetal acceleration alone makes a third of
+        # the square of the angle of a step, 1.3e-4 (solidBody)
         f.atMost("balance / initial energy",
-                 largest(case.energies["total:balance"])/total[0], 1e-4)
+                 largest(case.energies["total:balance"])/total[0], 4e-4)
         f.atLeast("energy after ten turns / initial", total[-1]/total[0],
                   0.95)
         f.atMost("largest energy / initial - 1", total.max()/total[0] - 1,

@@ -30,7 +30,7 @@ Foam::preset::preset(const kind name)
     switch (name)
     {
         case kind::fast:
-            scheme.correction = 0;
+            scheme.frontDissipation = scheme.dissipation;
             break;
         case kind::balanced:
             break;

@@ -562,6 +562,18 @@ Foam::scalar Foam::rigidBody::kineticEnergy
 }
 
 
+Foam::scalar Foam::rigidBody::swing
+(
+    const scalar lastStep,
+    const bool loaded
+) const
+{
+    if (!Pstream::master()) return 0;
+    const state s(present(lastStep, loaded));
+    return kinetic(s, s.P - now_.P, s.L - now_.L);
+}
+
+
 Foam::scalar Foam::rigidBody::freeKineticEnergy() const
 {
     if (!Pstream::master()) return 0;
@@ -644,14 +656,10 @@ Foam::vector Foam::rigidBody::angularMomentum() const
 }
 
 
-Foam::rigidBody::works Foam::rigidBody::presentPowers
-(
-    const scalar lastStep
-) const
+Foam::rigidBody::works Foam::rigidBody::presentPowers() const
 {
     if (!Pstream::master()) return works();
-    const state s(present(lastStep, true));
-    return powers(motionState{s.P/mass_.mass, spin(s, s.L)});
+    return powers(motionState{now_.P/mass_.mass, spin(now_, now_.L)});
 }
 
 

@@ -992,6 +992,28 @@ Foam::scalar Foam::solidBody::kineticEnergy() const
 }
 
 
+Foam::scalar Foam::solidBody::swing() const
+{
+    if (rigid_.valid()) return rigid_->swing(lastStep_, evaluated_);
+    if (!evaluated_) return 0;
+    scalar sum = 0;
+    withDirections(dual_.nDim(), [&](auto D)
+    {
+        for (label a = 0; a < dual_.nNodes(); ++a)
+        {
+            const scalar* rate = data_.rates.cdata() + a*data_.strideRates;
+            scalar power = 0;
+            for (int i = 0; i < D.value; ++i)
+            {
+                power += rate[i]*(velocity(a, i) - middleVelocity(a, i));
+            }
+            sum += ownedVolume_[a]*power;
+        }
+    });
+    return 0.25*lastStep_*sum;
+}
+
+
 Foam::scalar Foam::solidBody::strainEnergy() const
 {
     if (rigid_.valid()) return 0;

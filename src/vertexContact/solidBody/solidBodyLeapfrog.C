@@ -282,7 +282,7 @@ Foam::solidBody::powers Foam::solidBody::presentPowers() const
     if (!evaluated_) return powers();
     if (rigid_.valid())
     {
-        const rigidBody::works now(rigid_->presentPowers(lastStep_));
+        const rigidBody::works now(rigid_->presentPowers());
         powers p;
         p.external = now.external;
         p.contact = now.contact;
@@ -292,13 +292,21 @@ Foam::solidBody::powers Foam::solidBody::presentPowers() const
     scalarField v(dual_.nNodes()*d);
     for (label a = 0; a < dual_.nNodes(); ++a)
     {
-        for (label i = 0; i < d; ++i) v[a*d + i] = velocity(a, i);
+        for (label i = 0; i < d; ++i) v[a*d + i] = middleVelocity(a, i);
     }
     powers p(powersOf(v));
     if (damping_.valid())
     {
-        // Since the time of the momentum, so that free motions balance exactly
-        forAll(v, k) v[k] = 0.5*(v[k] + data_.state.lm[k]/data_.rho);
+        // With the mean over the half step, so that free motions balance
+        // exactly: damping has no swing
+        for (label a = 0; a < dual_.nNodes(); ++a)
+        {
+            for (label i = 0; i < d; ++i)
+            {
+                scalar& mean = v[a*d + i];
+                mean = 0.5*(mean + velocity(a, i));
+            }
+        }
         p.damping = dampingPower(v, damping_->ofMean(0.5*lastStep_));
     }
     return p;

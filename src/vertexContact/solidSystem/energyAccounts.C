@@ -38,6 +38,7 @@ constexpr accountEntry accountEntries[] =
 void Foam::bodyEnergies::operator+=(const bodyEnergies& e)
 {
     kinetic += e.kinetic;
+    swing += e.swing;
     strain += e.strain;
     plasticDissipation += e.plasticDissipation;
     numericalDissipation += e.numericalDissipation;
@@ -63,6 +64,7 @@ Foam::scalarList Foam::energyAccounts::sums() const
         }
         scalar* sum = all.data() + nSums*i;
         *sum++ = body.kineticEnergy();
+        *sum++ = leapfrog_ ? body.swing() : 0;
         *sum++ = body.strainEnergy();
         for (const accountEntry& a : accountEntries)
         {
@@ -113,7 +115,8 @@ void Foam::energyAccounts::begin()
     const scalarList all(sums());
     forAll(initial_, i)
     {
-        initial_[i] = all[nSums*i] + all[nSums*i + 1];
+        const scalar* sum = all.cdata() + nSums*i;
+        initial_[i] = sum[0] - sum[1] + sum[2];
     }
 }
 
@@ -136,7 +139,8 @@ void Foam::energyAccounts::addStop(const scalar sign)
             accounts_[i], bodies_[i].presentPowers(),
             sign*0.5*bodies_[i].lastStep()
         );
-        accounts_[i].relaxation += sign*bodies_[i].kineticEnergy();
+        accounts_[i].relaxation +=
+            sign*(bodies_[i].kineticEnergy() - bodies_[i].swing());
     }
 }
 
@@ -153,15 +157,16 @@ Foam::List<Foam::bodyEnergies> Foam::energyAccounts::compute
         const scalar* sum = sums.cdata() + nSums*i;
         bodyEnergies& e = all[i];
         e.kinetic = sum[0];
-        e.strain = sum[1];
-        e.numericalDissipation = sum[2];
-        e.plasticDissipation = sum[3];
-        e.externalWork = sum[4];
-        e.contactWork = sum[5];
-        e.dampingDissipation = sum[6];
-        e.relaxationDissipation = sum[7];
+        e.swing = sum[1];
+        e.strain = sum[2];
+        e.numericalDissipation = sum[3];
+        e.plasticDissipation = sum[4];
+        e.externalWork = sum[5];
+        e.contactWork = sum[6];
+        e.dampingDissipation = sum[7];
+        e.relaxationDissipation = sum[8];
         e.balance =
-            e.total() - initial_[i] + e.numericalDissipation
+            e.kept() - initial_[i] + e.numericalDissipation
           + e.plasticDissipation + e.dampingDissipation
           + e.relaxationDissipation - e.externalWork - e.contactWork;
         all.last() += e;
@@ -177,7 +182,7 @@ Foam::List<Foam::bodyEnergies> Foam::energyAccounts::compute
 
 Foam::scalar Foam::energyAccounts::rise(const bodyEnergies& all)
 {
-    const scalar own = all.total() - all.externalWork - all.contactWork;
+    const scalar own = all.kept() - all.externalWork - all.contactWork;
     least_ = min(least_, own);
     largest_ = max(largest_, all.total());
     return own - least_;

@@ -84,7 +84,7 @@ void Foam::runWarnings::checkEnergies
     }
 
     const bodyEnergies& e = all.last();
-    const scalar own = e.total() - e.externalWork;
+    const scalar own = e.kept() - e.externalWork;
     for (label i = 0; i < 2; ++i)
     {
         const scalar now = i ? own - e.contactWork : own;

@@ -197,11 +197,13 @@ def before(tables):
                   "cost / then"], lines)
 
 
-def onMeshes(case, rows, preset):
-    """Runs of a preset, from coarse to fine."""
-    mine = [r for r in rows
-            if r["options"] == named(case, preset, r["options"]["mesh"])]
-    return sorted(mine, key=lambda r: float(r["options"]["mesh"]))
+def onMeshes(case, rows, preset, meshes=None):
+    """Runs of a preset, from coarse to fine; on those of the case, or on
+    others."""
+    meshes = meshes or (case.base, *case.meshes)
+    mine = [r for r in rows if r["options"]["mesh"] in meshes
+            and r["options"] == named(case, preset, r["options"]["mesh"])]
+    return sorted(mine, key=lambda r: r["nodes"])
 
 
 def meshes(case, rows, unit):

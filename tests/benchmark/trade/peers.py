@@ -16,6 +16,9 @@ from cases import CASES
 sources = root/"tests"/"benchmark"/"peers"/"plainFEM"
 NAME = "plainFEM"
 TITLE = "plain FEM"
+# The same, one element after the other: how many are done together
+ONE = "plainFEM1"
+WIDTH = {NAME: 8, ONE: 1}
 
 # From packages, ../peers/install gets them: their titles, and the meshes of
 # the cases that they can do
@@ -44,25 +47,26 @@ class Failed(RuntimeError):
     """A program from a package did not end well."""
 
 
-def program():
+def program(name=NAME):
     """The program, compiled if there is none of these sources for this
     processor."""
     target = checked(["g++", "-march=native", "-Q", "--help=target"], root)
     files = sorted(file for file in sources.iterdir() if file.suffix != ".md")
     key = hashlib.sha256(target.encode() + b"".join(
         file.read_bytes() for file in files)).hexdigest()[:12]
-    made = root/".build"/f"{NAME}-{key}"
+    made = root/".build"/f"{name}-{key}"
     if not made.exists():
         made.parent.mkdir(exist_ok=True)
         with tempfile.TemporaryDirectory(dir=made.parent) as folder:
-            checked([str(sources/"build"), f"{folder}/{NAME}"], root)
-            shutil.move(f"{folder}/{NAME}", made)
+            checked([str(sources/"build"), f"{folder}/{name}",
+                     str(WIDTH[name])], root)
+            shutil.move(f"{folder}/{name}", made)
     return made
 
 
-def run(name, mesh, file):
+def run(name, mesh, file, kind=NAME):
     """Write the table of histories; what its comment says."""
-    checked([str(program()), name, str(mesh), "-out", str(file)], root)
+    checked([str(program(kind)), name, str(mesh), "-out", str(file)], root)
     with open(file) as lines:
         comment = next(lines)
     return {key: float(value) for key, value in re.findall(
@@ -76,11 +80,11 @@ def costs(said):
             "us": 1e6*said["seconds"]/said["steps"]/said["nodes"]}
 
 
-def once(name, mesh):
+def once(name, mesh, kind=NAME):
     """A run: its errors and costs."""
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder)/"histories.csv"
-        said = run(name, mesh, file)
+        said = run(name, mesh, file, kind)
         histories = readResults.csv(file)
     case = CASES[name]
     right = case.reference(Case(root/"tutorials"/case.tutorial))
@@ -107,13 +111,13 @@ def oncePackaged(program, name, mesh):
 
 def meshes(program):
     """Of its cases."""
-    return MESHES if program == NAME else PACKAGED_MESHES[program]
+    return MESHES if program in WIDTH else PACKAGED_MESHES[program]
 
 
 def measure(name, mesh, calibration, program=NAME):
     """A row of the table."""
     def run():
-        return once(name, mesh) if program == NAME \
+        return once(name, mesh, program) if program in WIDTH \
             else oncePackaged(program, name, mesh)
 
     before = calibration.run()

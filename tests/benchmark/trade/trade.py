@@ -14,7 +14,7 @@ are not there; -only: variants whose label has that text; -page: no runs.
 kept in reference/, and how far the next coarser mesh is from them.
 -peers: instead of the solver, the plain finite elements of ../peers/plainFEM
 on meshes of their own, with rows in peers.csv and references of their own.
--program: another of ../peers, which ../peers/install gets.
+-program: plainFEM1, the same one element after the other; or another of ../peers, which ../peers/install gets.
 
 The time of a run is divided by that of a small fixed case, which runs right
 before and after it: machines are faster at one time than at another.
@@ -203,7 +203,7 @@ def main():
     parser.add_argument("-jobs", type=int, default=1)
     parser.add_argument("-only", default="")
     parser.add_argument("-program", default=peers.NAME,
-                        choices=(peers.NAME, *peers.PACKAGED))
+                        choices=(*peers.WIDTH, *peers.PACKAGED))
     for flag in "-missing", "-page", "-reference", "-peers":
         parser.add_argument(flag, action="store_true")
     given = parser.parse_args()

@@ -19,9 +19,9 @@ OPTIONS = ("preset", "mesh", "dimension", "material", *SCHEME, *CONTROL,
 SINGLE = {
     "balanced": {
         "cells": ("simplicialSingle", "native"),
-        "correction": ("0.5",),
+        "correction": ("0", "0.5"),
         "dissipation": ("0.1", "0.5", "1"),
-        "frontDissipation": ("0.25", "0.5"),
+        "frontDissipation": ("0.5",),
         "volume": ("nodal", "smoothed"),
         "maxCo": ("0.2", "0.6", "0.8", "0.98")},
     PAPER: {
@@ -70,6 +70,7 @@ def variants(case):
     found += [named(case, preset, case.base, **{option: value})
               for preset, single in SINGLE.items()
               for option, values in single.items() for value in values]
+    found += [named(case, "balanced", mesh) for mesh in case.conforming]
     for changes in (*case.more, *COMBINED):
         found.append(named(case, **{"preset": "balanced", "mesh": case.base,
                                     **changes}))
@@ -87,5 +88,6 @@ def label(case, chosen):
 
 
 def isPreset(case, chosen):
-    """Nothing but a preset, on any mesh."""
-    return chosen == named(case, chosen["preset"], chosen["mesh"])
+    """Nothing but a preset, on a mesh of the case."""
+    return chosen == named(case, chosen["preset"], chosen["mesh"]) \
+        and chosen["mesh"] in (case.base, *case.meshes)

@@ -54,9 +54,9 @@ def message(log):
 
 
 def ownEnergy(case):
-    """Energy of all bodies less the work of loads from outside: what bodies
-    do to each other may only lower it."""
-    return case.totalEnergy - case.energies["total:externalWork"]
+    """Kept energy of all bodies less the work of loads from outside: what
+    bodies do to each other may only lower it."""
+    return case.keptEnergy - case.energies["total:externalWork"]
 
 
 def rise(energy, scale):

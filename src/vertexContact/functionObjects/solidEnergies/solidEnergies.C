@@ -50,7 +50,7 @@ Foam::functionObjects::solidEnergies::solidEnergies
         {
             DynamicList<const char*> energyNames
             ({
-                "kinetic", "strain", "plasticDissipation",
+                "kinetic", "swing", "strain", "plasticDissipation",
                 "numericalDissipation", "externalWork", "contactWork",
                 "balance"
             });
@@ -110,7 +110,7 @@ bool Foam::functionObjects::solidEnergies::writeRow()
         for (const auto& e : all)
         {
             *energies_
-                << ' ' << e.kinetic << ' ' << e.strain
+                << ' ' << e.kinetic << ' ' << e.swing << ' ' << e.strain
                 << ' ' << e.plasticDissipation
                 << ' ' << e.numericalDissipation
                 << ' ' << e.externalWork << ' ' << e.contactWork
