@@ -7,14 +7,14 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
 from front import LARGEST_RISE, front
-from peers import PACKAGED, TITLE
+from peers import NAME, ONE, PACKAGED, TITLE
 from variants import PRESETS, isPreset
 
 here = Path(__file__).resolve().parent
 
 
 def draw(case, rows, peer, packaged, unit):
-    """rows: numbers of one case; peer: those of plain finite elements;
+    """rows: numbers of one case; peer: by kind those of plain finite elements;
     packaged: of programs from packages; unit: cost of balanced on the base
     mesh."""
     figure, axes = plt.subplots(figsize=(7.5, 5.5))
@@ -35,9 +35,10 @@ def draw(case, rows, peer, packaged, unit):
                        and isPreset(case, r["options"])),
                       key=lambda r: r["cost"])
         show(mine, f"{marker}--", linewidth=1, label=preset)
-    for error, style, what in (("error", "P-", ""),
-                               ("own", "P:", ", against its own reference")):
-        mine = [r for r in peer if r.get(error, "") != ""]
+    for kind, error, style, what in (
+            (ONE, "error", "P-", ""), (NAME, "error", "P--", ", eight at once"),
+            (NAME, "own", "P:", ", the same against its own reference")):
+        mine = [r for r in peer[kind] if r.get(error, "") != ""]
         if mine:
             axes.plot([r["cost"]/unit for r in mine],
                       [r[error] for r in mine], style, linewidth=1,

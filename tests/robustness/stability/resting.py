@@ -88,11 +88,10 @@ def settling(folder, on, friction, cells, ratio, weight, steps, slope=0,
     bounces in itself until what its waves dissipate brings it to rest. Then
     nothing may happen. Drift: how far any corner of the block is from its
     place at the end, in the second half of the time, by a cell. Kinetic energy:
-    by the largest one. Creep: rise of the energy in the second half; rise: of
-    the largest energies of each hundredth of the time, since that of a state
-    of the leapfrog swings about the one that it keeps; both by the energy that
-    is lost from the start to the end. weight: of the block on its
-    base, over Young's modulus; ratio: length of the block's cells over that of
+    by the largest one. Creep: rise of the kept energy in the second half; rise:
+    of the largest energies of each hundredth of the time, since contact stores
+    some and gives it back; both by the energy that is lost from the start to
+    the end. weight: of the block on its base, over Young's modulus; ratio: length of the block's cells over that of
     the base's; on 'tied': to the base, paired by AMI. Without friction no
     block rests on a body for ever: the base is softer towards its edges, the
     block slides off. That is physics. Here it is held in the middle by
