@@ -6,6 +6,7 @@
 
 #include "stepRatios.H"
 #include "dictionaryCheck.H"
+#include "wholeSteps.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -50,13 +51,12 @@ Foam::stepRatios::ratios Foam::stepRatios::of
 {
     const auto needed = [&](const scalar step)
     {
-        return max(label(1), label(std::ceil(common/step - 1e-6)));
+        return max(label(1), label(wholeSteps::atLeast(common/step)));
     };
 
-    // A few more short ones may have divisors that cost less
     const label least = needed(min(stable));
     ratios best;
-    for (label most = least; most <= least + least/8; ++most)
+    for (label most = least; most <= least + least/perMore; ++most)
     {
         ratios r;
         r.most = most;
@@ -97,11 +97,11 @@ Foam::scalar Foam::stepRatios::commonStep
     scalar best = most, least = cost(most, stable);
     for (const scalar step : stable)
     {
-        for (label n = 1; n <= 4; ++n)
+        for (label n = 1; n <= tried; ++n)
         {
             if (n*step >= most) continue;
             const scalar its = cost(n*step, stable);
-            if (its < (1 - 1e-6)*least)
+            if (its < (1 - alike)*least)
             {
                 best = n*step;
                 least = its;

@@ -775,8 +775,7 @@ Foam::scalar Foam::solidBody::timeScale(const bool anew)
 {
     if (rigid_.valid())
     {
-        // It turns by a third at most
-        return 1/(3*mag(rigid_->presentSpin()) + 1/GREAT);
+        return 1/(stepsPerTurn*mag(rigid_->presentSpin()) + 1/GREAT);
     }
     if (waveSumIsConstant_)
     {

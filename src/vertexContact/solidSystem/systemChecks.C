@@ -14,7 +14,8 @@
 namespace
 {
 
-//- Fastest impact, by the speed of waves, in which all surfaces kept apart
+//- Fastest impact, by the speed of waves, in which all surfaces kept apart: as
+//  measured (tests/robustness/stability.md)
 constexpr Foam::scalar fastImpact = 0.7;
 
 } // End anonymous namespace

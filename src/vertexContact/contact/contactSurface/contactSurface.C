@@ -130,9 +130,9 @@ contactFace makeFace
             max
             (
                 (((f.X[1] - f.X[0]) ^ d13) & n)/max(magSqr(n), VSMALL),
-                scalar(0.02)
+                scalar(contactFace::leastCrossing)
             ),
-            scalar(0.98)
+            scalar(1 - contactFace::leastCrossing)
         );
     }
     f.N = mean/mag(mean);
@@ -562,7 +562,7 @@ bool Foam::contactSurface::snapshot::mayOppose
 {
     const scalar between =
         std::acos(max(min(axis & other.axis, scalar(1)), scalar(-1)));
-    return angle + other.angle + between > by - 1e-6;
+    return angle + other.angle + between > by - roundOff;
 }
 
 

@@ -38,7 +38,7 @@ Foam::labelList Foam::contactPairings::matching::facing
     for (label k = 0; k < patch.nCorners(); ++k)
     {
         const vector N(side.body->expand(patch.cornerNormal.cdata() + k*d));
-        if ((N & direction) > 0.01)
+        if ((N & direction) > facesGap)
         {
             corners.append(k);
         }
@@ -130,9 +130,8 @@ Foam::contactPairings::matching::matching
         const autoPtr<pointTree> tree(newPointTree(allPlus, max(sizeMinus)));
         forAll(placeMinus, k)
         {
-            // Coincidence: within a percent of the size of the face, which
-            // is that of the other one, too. In 1D faces have none
-            const scalar within = 1e-2*sizeMinus[k];
+            // In 1D faces have no size
+            const scalar within = coincidence*sizeMinus[k];
             const pointIndexHit hit
             (
                 tree->findNearest(placeMinus[k], sqr(within))
