@@ -59,10 +59,9 @@ Foam::stepControl::stepControl(const Time& runTime, const preset& defaults)
         contactIterations() > 0, dict(), "contactIterations",
         contactIterations(), "a positive integer"
     );
-    const label interval = dict().getOrDefault<label>("logInterval", 100);
     dictionaryCheck::require
     (
-        interval > 0, dict(), "logInterval", interval, "positive"
+        logInterval() > 0, dict(), "logInterval", logInterval(), "positive"
     );
 }
 
@@ -79,10 +78,9 @@ Foam::scalar Foam::stepControl::maxCo() const
 
 bool Foam::stepControl::logs(const label steps, const scalar time) const
 {
-    const label interval = dict().getOrDefault<label>("logInterval", 100);
     const bool last =
         time > time_.endTime().value() - 0.5*time_.deltaTValue();
-    return last || steps % max(label(1), interval) == 0;
+    return last || steps % max(label(1), logInterval()) == 0;
 }
 
 

@@ -16,8 +16,11 @@ Foam::stepRatios::stepRatios
     const scalarField& nodes
 )
 :
-    active_(controlDict.getOrDefault("subCycling", false)),
-    allowed_(controlDict.getOrDefault<label>("maxSubCycles", 64)),
+    active_(wanted(controlDict)),
+    allowed_
+    (
+        controlDict.getOrDefault<label>("maxSubCycles", label(mostDefault))
+    ),
     nodes_(nodes),
     recent_(nodes.size())
 {
@@ -30,13 +33,19 @@ Foam::stepRatios::stepRatios
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+bool Foam::stepRatios::wanted(const dictionary& controlDict)
+{
+    return controlDict.getOrDefault("subCycling", false);
+}
+
+
 Foam::keywordList Foam::stepRatios::keywords()
 {
     return
     {
         {"subCycling", "", "no", "a step of its own for each region"},
         {
-            "maxSubCycles", "-", "64",
+            "maxSubCycles", "-", Foam::name(mostDefault),
             "most steps of a region in the common one"
         }
     };

@@ -6,6 +6,7 @@
 
 #include "systemChecks.H"
 #include "stepControl.H"
+#include "stepRatios.H"
 #include "dictionaryCheck.H"
 #include "IOdictionary.H"
 
@@ -138,11 +139,7 @@ void Foam::systemChecks::integrator
             }
         }
     }
-    if
-    (
-        control.dict().getOrDefault("subCycling", false)
-     && !integrator.leapfrog()
-    )
+    if (stepRatios::wanted(control.dict()) && !integrator.leapfrog())
     {
         FatalIOErrorInFunction(control.dict())
             << "Keyword 'subCycling' is yes, which does not go with preset "
