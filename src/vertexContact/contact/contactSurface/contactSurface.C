@@ -97,11 +97,12 @@ contactFace makeFace
     const label d = dual.nDim();
 
     contactFace f;
-    const label start = patch.faceStart[facei];
-    f.size = patch.faceStart[facei + 1] - start;
+    const dualPatch::face its(patch.faceOf(facei));
+    const label start = its.start;
+    f.size = its.size;
     f.firstCorner = corners.toGlobal(start);
 
-    const scalar* s = patch.weights.cdata() + patch.weightStart[facei];
+    const scalar* s = patch.weights.cdata() + its.firstWeight;
     vector mean(Zero);
     for (label j = 0; j < f.size; ++j)
     {
@@ -199,8 +200,8 @@ void outlines
     {
         if (!wanted(facei)) continue;
 
-        const label start = patch.faceStart[facei];
-        const label size = patch.faceStart[facei + 1] - start;
+        const dualPatch::face its(patch.faceOf(facei));
+        const label start = its.start, size = its.size;
         FixedList<point, 4> x(point::zero), X(point::zero);
         vector N(Zero);
         contactSurface::outline o;
@@ -355,10 +356,9 @@ Foam::contactSurface::sizes Foam::contactSurface::sizesOf
     const scalarField& depth = side.body->depth(side.patchi);
     const positions at(side, false);
     sizes all;
-    for (label facei = 0; facei < patch.nFaces(); ++facei)
+    patch.forFaces([&](const dualPatch::face& f)
     {
-        const label start = patch.faceStart[facei];
-        const label size = patch.faceStart[facei + 1] - start;
+        const label start = f.start, size = f.size;
         FixedList<point, 4> X(point::zero);
         point centre(Zero);
         for (label j = 0; j < size; ++j)
@@ -374,7 +374,7 @@ Foam::contactSurface::sizes Foam::contactSurface::sizesOf
         {
             all.reach = max(all.reach, mag(X[j] - centre));
         }
-    }
+    });
     reduce(all.least, minOp<scalar>());
     reduce(all.reach, maxOp<scalar>());
     return all;

@@ -72,9 +72,9 @@ void Foam::contactPairings::matching::identify
         return vector(x - (x & direction)*direction);
     };
 
-    for (label f = 0; f < patch.nFaces(); ++f)
+    patch.forFaces([&](const dualPatch::face& f)
     {
-        const label start = patch.faceStart[f], end = patch.faceStart[f + 1];
+        const label start = f.start, end = f.start + f.size;
         vector centre(Zero);
         for (label k = start; k < end; ++k) centre += X(k)/(end - start);
 
@@ -86,7 +86,7 @@ void Foam::contactPairings::matching::identify
               ? mag(X(k) - centre)
               : side.body->depth(side.patchi)[k];
         }
-    }
+    });
 
     place = vectorField(allPlaces, corners);
     size = scalarField(allSizes, corners);
