@@ -109,7 +109,7 @@ void Foam::solidBody::checkStart() const
             {
                 length = max(length, mag(direction & jump));
             }
-            least = min(least, length/depth_[patchi][k]);
+            least = min(least, length/surfaces_[patchi].depth[k]);
         }
         reduce(least, minOp<scalar>());
         if (least > largestJump && least < GREAT)

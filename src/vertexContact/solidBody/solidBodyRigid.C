@@ -74,15 +74,15 @@ void Foam::solidBody::makeRigid()
         }
     }
     reduce(area, sumOp<scalar>());
-    surfaceCompliance_.setSize(corners_.size());
     forAll(corners_, patchi)
     {
         if (!corners_.set(patchi)) continue;
         const dualPatch& patch = corners_[patchi].geometry;
-        surfaceCompliance_[patchi].setSize(patch.nCorners());
-        forAll(surfaceCompliance_[patchi], k)
+        scalarField& compliance = surfaces_[patchi].compliance;
+        compliance.setSize(patch.nCorners());
+        forAll(compliance, k)
         {
-            surfaceCompliance_[patchi][k] =
+            compliance[k] =
                 area*rigid_->compliance(reference(patch.cornerNode[k]));
         }
     }

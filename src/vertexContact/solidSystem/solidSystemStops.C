@@ -91,7 +91,7 @@ void Foam::solidSystem::checkTimeStep()
             [&](const solidBody& b) { return b.findNodeWithin(timeStepLimit_); }
         )
     );
-    if (runTime_.value() != startOfRun_ && !dry_)
+    if (runTime_.value() != done_.start && !dry_)
     {
         runTime_.writeNow();
     }
@@ -133,7 +133,7 @@ void Foam::solidSystem::stopStep
         dry_ ? "Nothing was written: this is a dry run."
       : "Nothing was written: this was the first step."
     );
-    if (startOfStep_ != startOfRun_ && !dry_)
+    if (startOfStep_ != done_.start && !dry_)
     {
         runTime_.writeNow();
         writtenTimes::check(*this);
