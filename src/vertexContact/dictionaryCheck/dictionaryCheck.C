@@ -163,8 +163,7 @@ Foam::scalar Foam::dictionaryCheck::readNumber
             << ", which is not a finite number" << exit(FatalIOError);
     }
 
-    // Products of such numbers still are numbers
-    if (mag(number) > 1e60)
+    if (mag(number) > largestNumber)
     {
         FatalIOErrorInFunction(dict)
             << "Keyword '" << keyword << "' is " << number

@@ -8,6 +8,7 @@
 #include "solidSystem.H"
 #include "solidFunctionObject.H"
 #include "dictionaryCheck.H"
+#include "wholeSteps.H"
 #include "timeControlFunctionObject.H"
 #include <sys/resource.h>
 
@@ -193,10 +194,10 @@ void Foam::dryRun(solidSystem& solids, Time& runTime, OSstream& os)
             os  << ' '
                 << std::int64_t
                    (
-                       std::floor
+                       wholeSteps::within
                        (
                            (end - startOfRun)
-                          /solids.control().fittedInterval() + 1e-6
+                          /solids.control().fittedInterval()
                        )
                    )
                 << " times";

@@ -187,7 +187,7 @@ Foam::labelList Foam::nodeGraph::bandCompression() const
         label root = candidate;
         levels current = traverse(root, begin, false);
 
-        for (label attempt = 0; attempt < 5; ++attempt)
+        for (label attempt = 0; attempt < rootAttempts; ++attempt)
         {
             const label other =
                 *std::min_element

@@ -37,6 +37,16 @@ void count(MapType& faces, const Key& key)
     if (!faces.insert(key, Pstream::myProcNo())) faces.set(key, shared);
 }
 
+//- Of a face, from a corner to the next
+edge edgeFrom(const dualPatch& patch, const dualPatch::face& f, const label j)
+{
+    return edge
+    (
+        patch.cornerPoint[f.start + j],
+        patch.cornerPoint[f.start + (j + 1) % f.size]
+    );
+}
+
 } // End anonymous namespace
 
 
@@ -69,23 +79,13 @@ Foam::boolList Foam::patchRim::corners
     // Call a function for each corner and its edge
     const auto forEdges = [&](const auto& f)
     {
-        for (label facei = 0; facei < patch.nFaces(); ++facei)
+        patch.forFaces([&](const dualPatch::face& its)
         {
-            const label start = patch.faceStart[facei];
-            const label n = patch.faceStart[facei + 1] - start;
-            for (label j = 0; j < n; ++j)
+            for (label j = 0; j < its.size; ++j)
             {
-                f
-                (
-                    start + j,
-                    edge
-                    (
-                        patch.cornerPoint[start + j],
-                        patch.cornerPoint[start + (j + 1) % n]
-                    )
-                );
+                f(its.start + j, edgeFrom(patch, its, j));
             }
-        }
+        });
     };
     EdgeMap<label> edges(4*patch.nFaces());
     forEdges([&](const label, const edge& e) { count(edges, e); });
@@ -109,17 +109,16 @@ Foam::boolList Foam::patchRim::nodes
     if (nDim < 3) return rim;
 
     Map<label> points;
-    for (label facei = 0; facei < patch.nFaces(); ++facei)
+    patch.forFaces([&](const dualPatch::face& f)
     {
-        const label start = patch.faceStart[facei];
-        const label n = patch.faceStart[facei + 1] - start;
-        for (label j = 0; j < n; ++j)
+        for (label j = 0; j < f.size; ++j)
         {
-            if (!rim[start + j]) continue;
-            points.set(patch.cornerPoint[start + j], 1);
-            points.set(patch.cornerPoint[start + (j + 1) % n], 1);
+            if (!rim[f.start + j]) continue;
+            const edge e(edgeFrom(patch, f, j));
+            points.set(e.start(), 1);
+            points.set(e.end(), 1);
         }
-    }
+    });
     syncTools::syncPointMap(mesh, points, maxEqOp<label>());
 
     boolList nodes;

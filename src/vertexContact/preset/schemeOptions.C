@@ -50,9 +50,9 @@ Foam::schemeOptions::reconstructionNames
 const Foam::Enum<Foam::limiterType>
 Foam::schemeOptions::limiterNames
 ({
-    { limiterType::none, "none" },
-    { limiterType::BarthJespersen, "BarthJespersen" },
-    { limiterType::Venkatakrishnan, "Venkatakrishnan" },
+    #define limiterWord(name) { limiterType::name, #name },
+    forAllLimiters(limiterWord)
+    #undef limiterWord
 });
 
 

@@ -8,6 +8,7 @@
 #include "dictionaryCheck.H"
 #include "dictionaryText.H"
 #include "preset.H"
+#include "stepControl.H"
 #include "stepRatios.H"
 #include "massScaling.H"
 #include "massDamping.H"
@@ -151,13 +152,17 @@ Foam::keywordList Foam::controlKeywords::keywords()
             {
                 "maxEnergyRise", "-", "none", "rise of energy that ends the run"
             },
-            {"logInterval", "-", "100", "steps from log line to log line"}
+            {
+                "logInterval", "-", Foam::name(stepControl::logIntervalDefault),
+                "steps from log line to log line"
+            }
         })
       + stepRatios::keywords()
       + keywordList
         ({
             {
-                "contactIterations", "-", "1",
+                "contactIterations", "-",
+                Foam::name(stepControl::contactIterationsDefault),
                 "times that contact is solved in a step; 2 where it is only "
                 "some faces wide"
             },

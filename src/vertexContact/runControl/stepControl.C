@@ -7,14 +7,18 @@
 #include "stepControl.H"
 #include "controlKeywords.H"
 #include "dictionaryCheck.H"
+#include "wholeSteps.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
 namespace
 {
 
-//- Largest maxCo that was found stable in all scenes
+//- Largest maxCo without a warning: the bound itself
 constexpr Foam::scalar largestCo = 1;
+
+//- Part of a step by which a time to be written may be missed
+constexpr Foam::scalar reached = 1e-3;
 
 } // End anonymous namespace
 
@@ -55,10 +59,9 @@ Foam::stepControl::stepControl(const Time& runTime, const preset& defaults)
         contactIterations() > 0, dict(), "contactIterations",
         contactIterations(), "a positive integer"
     );
-    const label interval = dict().getOrDefault<label>("logInterval", 100);
     dictionaryCheck::require
     (
-        interval > 0, dict(), "logInterval", interval, "positive"
+        logInterval() > 0, dict(), "logInterval", logInterval(), "positive"
     );
 }
 
@@ -75,10 +78,9 @@ Foam::scalar Foam::stepControl::maxCo() const
 
 bool Foam::stepControl::logs(const label steps, const scalar time) const
 {
-    const label interval = dict().getOrDefault<label>("logInterval", 100);
     const bool last =
         time > time_.endTime().value() - 0.5*time_.deltaTValue();
-    return last || steps % max(label(1), interval) == 0;
+    return last || steps % max(label(1), logInterval()) == 0;
 }
 
 
@@ -110,9 +112,11 @@ Foam::scalar Foam::stepControl::nextFitted
         // restarted run takes the same steps to the last bit
         const scalar start = time_.startTime().value();
         const scalar offset =
-            mag(start/interval - std::round(start/interval)) < 1e-6
+            mag(start/interval - std::round(start/interval))
+          < wholeSteps::roundOff
           ? 0 : start;
-        const scalar slack = min(scalar(1e-6), 1e-3*deltaT/interval);
+        const scalar slack =
+            min(scalar(wholeSteps::roundOff), reached*deltaT/interval);
         const scalar k = std::floor((now - offset)/interval + slack) + 1;
         next = min(next, offset + k*interval);
     }
@@ -129,7 +133,7 @@ Foam::scalar Foam::stepControl::fitted(const scalar bound) const
     {
         return deltaT;
     }
-    return remaining/max(scalar(1), std::ceil(remaining/deltaT - 1e-6));
+    return remaining/max(scalar(1), wholeSteps::atLeast(remaining/deltaT));
 }
 
 
@@ -148,12 +152,12 @@ Foam::scalar Foam::stepControl::stepsToEnd(const scalar deltaT) const
     {
         return
             interval > 0
-          ? max(scalar(0), std::ceil(interval/deltaT - 1e-6))
+          ? max(scalar(0), wholeSteps::atLeast(interval/deltaT))
           : scalar(0);
     };
     const scalar next = nextFitted(now, deltaT);
     const scalar interval = fittedInterval();
-    const scalar whole = std::floor((end - next)/interval + 1e-6);
+    const scalar whole = wholeSteps::within((end - next)/interval);
     return
         steps(next - now) + whole*steps(interval)
       + steps(end - next - whole*interval);

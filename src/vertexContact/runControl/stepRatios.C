@@ -6,6 +6,7 @@
 
 #include "stepRatios.H"
 #include "dictionaryCheck.H"
+#include "wholeSteps.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -15,8 +16,11 @@ Foam::stepRatios::stepRatios
     const scalarField& nodes
 )
 :
-    active_(controlDict.getOrDefault("subCycling", false)),
-    allowed_(controlDict.getOrDefault<label>("maxSubCycles", 64)),
+    active_(wanted(controlDict)),
+    allowed_
+    (
+        controlDict.getOrDefault<label>("maxSubCycles", label(mostDefault))
+    ),
     nodes_(nodes),
     recent_(nodes.size())
 {
@@ -29,13 +33,19 @@ Foam::stepRatios::stepRatios
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+bool Foam::stepRatios::wanted(const dictionary& controlDict)
+{
+    return controlDict.getOrDefault("subCycling", false);
+}
+
+
 Foam::keywordList Foam::stepRatios::keywords()
 {
     return
     {
         {"subCycling", "", "no", "a step of its own for each region"},
         {
-            "maxSubCycles", "-", "64",
+            "maxSubCycles", "-", Foam::name(mostDefault),
             "most steps of a region in the common one"
         }
     };
@@ -50,13 +60,12 @@ Foam::stepRatios::ratios Foam::stepRatios::of
 {
     const auto needed = [&](const scalar step)
     {
-        return max(label(1), label(std::ceil(common/step - 1e-6)));
+        return max(label(1), label(wholeSteps::atLeast(common/step)));
     };
 
-    // A few more short ones may have divisors that cost less
     const label least = needed(min(stable));
     ratios best;
-    for (label most = least; most <= least + least/8; ++most)
+    for (label most = least; most <= least + least/perMore; ++most)
     {
         ratios r;
         r.most = most;
@@ -97,11 +106,11 @@ Foam::scalar Foam::stepRatios::commonStep
     scalar best = most, least = cost(most, stable);
     for (const scalar step : stable)
     {
-        for (label n = 1; n <= 4; ++n)
+        for (label n = 1; n <= tried; ++n)
         {
             if (n*step >= most) continue;
             const scalar its = cost(n*step, stable);
-            if (its < (1 - 1e-6)*least)
+            if (its < (1 - alike)*least)
             {
                 best = n*step;
                 least = its;

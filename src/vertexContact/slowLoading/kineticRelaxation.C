@@ -53,7 +53,10 @@ Foam::kineticRelaxation::kineticRelaxation(const dictionary& controlDict)
 {
     const dictionary& dict = checked(controlDict);
     tolerance_ =
-        dictionaryCheck::readNumberOrDefault(dict, "tolerance", dimless, 1e-3);
+        dictionaryCheck::readNumberOrDefault
+        (
+            dict, "tolerance", dimless, toleranceDefault
+        );
     dictionaryCheck::require
     (
         tolerance_ > 0, dict, "tolerance", tolerance_, "positive"
@@ -70,7 +73,7 @@ Foam::keywordList Foam::kineticRelaxation::keywords()
     {
         {"type", "", "required", "kinetic"},
         {
-            "tolerance", "-", "0.001",
+            "tolerance", "-", Foam::name(toleranceDefault),
             "forces out of balance by loads, with which the run ends"
         },
         {"start", "s", "0", "time from which it is done"}

@@ -85,7 +85,10 @@ Foam::massScaling::massScaling
         a.mass = (factor - 1)*mass[i];
         a.ofAll = a.mass/sum(mass);
         const scalar limit =
-            dictionaryCheck::readNumberOrDefault(dict, "limit", dimless, 0.05);
+            dictionaryCheck::readNumberOrDefault
+            (
+                dict, "limit", dimless, limitDefault
+            );
         dictionaryCheck::require
         (
             limit >= 0, dict, "limit", limit, "at least 0"
@@ -113,7 +116,7 @@ Foam::keywordList Foam::massScaling::keywords()
         {"factor", "-", "or step", "of the density, at least 1"},
         {"step", "s", "or factor", "stable step of the undeformed region"},
         {
-            "limit", "-", "0.05",
+            "limit", "-", Foam::name(limitDefault),
             "added mass by that of all regions that deform, at most"
         },
         {"force", "", "no", "yes: also above the limit"}

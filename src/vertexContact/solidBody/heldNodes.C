@@ -72,7 +72,7 @@ Foam::heldNodes::heldNodes
     DynamicList<label> nodes, conditionOf;
     forAll(first, a)
     {
-        if (first[a] < 0.1*GREAT)
+        if (first[a] < complete.size())
         {
             nodes.append(a);
             conditionOf.append(label(first[a] + 0.5));

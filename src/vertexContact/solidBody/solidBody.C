@@ -166,13 +166,14 @@ void Foam::solidBody::makeCorners()
         }
         dual_.sharing().sum(area.data(), d);
 
+        bodySurface& its = surfaces_[patchi];
         if (bc.contact() && data_.variational)
         {
-            rim_[patchi] = patchRim::corners(mesh_, patch, d);
-            rimNode_[patchi] = patchRim::nodes(mesh_, patch, d, rim_[patchi]);
+            its.rim = patchRim::corners(mesh_, patch, d);
+            its.rimNode = patchRim::nodes(mesh_, patch, d, its.rim);
         }
 
-        scalarField& depth = depth_[patchi];
+        scalarField& depth = its.depth;
         depth.setSize(patch.nCorners());
         forAll(patch.cornerNode, k)
         {
@@ -323,9 +324,7 @@ Foam::solidBody::solidBody
      && material_->stretchesWaves()
     ),
     corners_(mesh_.boundaryMesh().size()),
-    depth_(mesh_.boundaryMesh().size()),
-    rim_(mesh_.boundaryMesh().size()),
-    rimNode_(mesh_.boundaryMesh().size()),
+    surfaces_(mesh_.boundaryMesh().size()),
     boundaryArea_(dual_.nNodes(), Zero),
     gravity_(dual_.nDim(), Zero),
     bodyForces_
@@ -775,8 +774,7 @@ Foam::scalar Foam::solidBody::timeScale(const bool anew)
 {
     if (rigid_.valid())
     {
-        // It turns by a third at most
-        return 1/(3*mag(rigid_->presentSpin()) + 1/GREAT);
+        return 1/(stepsPerTurn*mag(rigid_->presentSpin()) + 1/GREAT);
     }
     if (waveSumIsConstant_)
     {
@@ -894,9 +892,7 @@ Foam::scalar Foam::solidBody::commitPlasticity()
 
 void Foam::solidBody::keepPlasticity()
 {
-    keptCpi_ = data_.state.Cpi;
-    keptStrain_ = data_.state.epsilonPEq;
-    keptTemperature_ = data_.state.temperature;
+    keptPlasticity_.keep(data_.state);
 }
 
 
@@ -931,12 +927,7 @@ void Foam::solidBody::restoreOld()
         data_.state.assignSolved(data_.old);
     }
     data_.state.sinceCommit = 0;
-    if (keptCpi_.size())
-    {
-        data_.state.Cpi = keptCpi_;
-        data_.state.epsilonPEq = keptStrain_;
-        data_.state.temperature = keptTemperature_;
-    }
+    keptPlasticity_.restore(data_.state);
 }
 
 

@@ -246,7 +246,10 @@ void Foam::solidBody::visitContactFields(const Use& use) const
         (
             scalar(0),
             "contactGap", dimLength,
-            [&](const label a) { return gap[a] < 0.1*GREAT ? gap[a] : 0; }
+            [&](const label a)
+            {
+                return gap[a] < bodyContact::far ? gap[a] : 0;
+            }
         );
         if (contact_.slide.on())
         {

@@ -46,7 +46,6 @@ void Foam::solidBody::findCompliances()
     });
     dual_.sharing().sum(area.data(), d);
 
-    surfaceCompliance_.setSize(corners_.size());
     forCorners([&]
     (
         const dualPatch& patch, const label k, scalar* A, const scalar* n
@@ -54,7 +53,7 @@ void Foam::solidBody::findCompliances()
     {
         scalar along = 0;
         for (label i = 0; i < d; ++i) along += A[i]*n[i];
-        scalarField& perVolume = surfaceCompliance_[patch.patchIndex];
+        scalarField& perVolume = surfaces_[patch.patchIndex].compliance;
         perVolume.setSize(patch.nCorners());
         perVolume[k] =
             max(along, patch.cornerArea[k])

@@ -23,6 +23,10 @@ namespace
 //  strain that they get with the first step
 constexpr Foam::scalar largestJump = 1e-3;
 
+//- Sine of a direction that leaves the mesh's: directions are written with few
+//  digits
+constexpr Foam::scalar leaves = 1e-6;
+
 } // End anonymous namespace
 
 
@@ -61,7 +65,7 @@ void Foam::solidBody::checkMotions() const
                 out[dir[i]] = 0;
                 valid[i] = word(vector::componentNames[dir[i]]);
             }
-            if (mag(out) > 1e-6)
+            if (mag(out) > leaves)
             {
                 FatalFileErrorInFunction(pointUFile_)
                     << "Keyword 'boundaryField': patch '" << pf.patch().name()
@@ -105,10 +109,10 @@ void Foam::solidBody::checkStart() const
             {
                 length = max(length, mag(direction & jump));
             }
-            least = min(least, length/depth_[patchi][k]);
+            least = min(least, length/surfaces_[patchi].depth[k]);
         }
         reduce(least, minOp<scalar>());
-        if (least > largestJump && least < 0.1*GREAT)
+        if (least > largestJump && least < GREAT)
         {
             FatalFileErrorInFunction(pointUFile_)
                 << "Keyword 'boundaryField': patch '"

@@ -354,7 +354,7 @@ void Foam::solidBody::readState()
     (
         symmetry_.project(s.lm.data(), d), maxOp<scalar>()
     );
-    if (removed > 1e-10*data_.rho*data_.cp)
+    if (removed > largestRemoved*data_.rho*data_.cp)
     {
         WarningInFunction
             << "Region " << name_ << ": an initial velocity of up to "

@@ -74,15 +74,15 @@ void Foam::solidBody::makeRigid()
         }
     }
     reduce(area, sumOp<scalar>());
-    surfaceCompliance_.setSize(corners_.size());
     forAll(corners_, patchi)
     {
         if (!corners_.set(patchi)) continue;
         const dualPatch& patch = corners_[patchi].geometry;
-        surfaceCompliance_[patchi].setSize(patch.nCorners());
-        forAll(surfaceCompliance_[patchi], k)
+        scalarField& compliance = surfaces_[patchi].compliance;
+        compliance.setSize(patch.nCorners());
+        forAll(compliance, k)
         {
-            surfaceCompliance_[patchi][k] =
+            compliance[k] =
                 area*rigid_->compliance(reference(patch.cornerNode[k]));
         }
     }
@@ -155,12 +155,12 @@ void Foam::solidBody::fitRigid()
     tensor R(turned);
     if (max(mag(data_.state.disp)) > 0 || Pstream::parRun())
     {
-        for (label i = 0; i < 100; ++i)
+        for (label i = 0; i < mostTurns; ++i)
         {
             const tensor next(0.5*(R + inv(R).T()));
             const scalar change = magSqr(next - R);
             R = next;
-            if (change < 1e-30) break;
+            if (change < turnedEnough) break;
         }
     }
     else
@@ -189,7 +189,7 @@ void Foam::solidBody::fitRigid()
            *magSqr(speed(a) - may.velocity - (may.spin ^ r));
     }
     reduce(lost, sumOp<scalar>());
-    if (lost > 1e-12*speedSqr && !rigid_->driven())
+    if (lost > largestLost*speedSqr && !rigid_->driven())
     {
         WarningInFunction
             << "Region " << name_ << ": the velocity at the start (pointU) is "

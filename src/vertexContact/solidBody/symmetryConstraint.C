@@ -205,7 +205,7 @@ bool Foam::symmetryConstraint::commonNormal(vector& normal) const
     {
         scalar along = 0;
         for (label i = 0; i < nDim_; ++i) along += normal[i]*normals_[k + i];
-        common = common && mag(mag(along) - 1) < 1e-6;
+        common = common && mag(mag(along) - 1) < onePlane;
     }
     reduce(common, andOp<bool>());
     return common;
@@ -255,9 +255,9 @@ void Foam::symmetryConstraint::projectEdges
                 {
                     cosine += n[j]*normals_[m*d + j];
                 }
-                shared = shared || mag(cosine) > 1 - 1e-9;
+                shared = shared || mag(cosine) > 1 - oneMirror;
             }
-            if (shared && sqr(along) < 1e-12*rr)
+            if (shared && sqr(along) < inMirror*rr)
             {
                 for (label j = 0; j < d; ++j) area[e*d + j] -= areaN*n[j];
             }

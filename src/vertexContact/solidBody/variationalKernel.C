@@ -105,26 +105,22 @@ Foam::variationalData::variationalData
 void Foam::variationalData::addPairs(const dualPatch& patch, const label nDim)
 {
     label pair = pairNodes.size()/2, nPairs = pair;
-    for (label f = 0; f < patch.nFaces(); ++f)
-    {
-        const label nf = patch.faceStart[f + 1] - patch.faceStart[f];
-        nPairs += nf*(nf - 1)/2;
-    }
+    patch.forFaces
+    (
+        [&](const dualPatch::face& f) { nPairs += f.size*(f.size - 1)/2; }
+    );
     pairNodes.setSize(2*nPairs);
     pairArea.setSize(nDim*nPairs);
 
-    for (label f = 0; f < patch.nFaces(); ++f)
+    patch.forFaces([&](const dualPatch::face& f)
     {
-        const label start = patch.faceStart[f];
-        const label nf = patch.faceStart[f + 1] - start;
-        const scalar* w =
-            patch.weightVectors.cdata() + nDim*patch.weightStart[f];
-        for (label p = 0; p < nf; ++p)
+        const scalar* w = patch.weightVectors.cdata() + nDim*f.firstWeight;
+        for (label p = 0; p < f.size; ++p)
         {
-            for (label j = p + 1; j < nf; ++j, ++pair)
+            for (label j = p + 1; j < f.size; ++j, ++pair)
             {
-                const label a = patch.cornerNode[start + p];
-                const label b = patch.cornerNode[start + j];
+                const label a = patch.cornerNode[f.start + p];
+                const label b = patch.cornerNode[f.start + j];
                 pairNodes[2*pair] = min(a, b);
                 pairNodes[2*pair + 1] = max(a, b);
 
@@ -132,11 +128,11 @@ void Foam::variationalData::addPairs(const dualPatch& patch, const label nDim)
                 // which either sees the difference
                 for (label i = 0; i < nDim; ++i)
                 {
-                    pairArea[nDim*pair + i] = w[nDim*(p*nf + j) + i];
+                    pairArea[nDim*pair + i] = w[nDim*(p*f.size + j) + i];
                 }
             }
         }
-    }
+    });
 }
 
 

@@ -219,22 +219,20 @@ void variationalKernelTemplate<D, finite>::addTractions
 {
     const FixedList<label, 3>& dir = d.dual.directions();
     const scalar* V = d.dual.nodeVolume().cdata();
-    for (label f = 0; f < patch.nFaces(); ++f)
+    patch.forFaces([&](const dualPatch::face& f)
     {
-        const label start = patch.faceStart[f];
-        const label nf = patch.faceStart[f + 1] - start;
-        const scalar* s = patch.weights.cdata() + patch.weightStart[f];
-        for (label p = 0; p < nf; ++p)
+        const scalar* s = patch.weights.cdata() + f.firstWeight;
+        for (label p = 0; p < f.size; ++p)
         {
-            const label a = patch.cornerNode[start + p];
-            vector sum(c.force[start + p]);
-            for (label j = 0; j < nf; ++j)
+            const label a = patch.cornerNode[f.start + p];
+            vector sum(c.force[f.start + p]);
+            for (label j = 0; j < f.size; ++j)
             {
-                sum += s[p*nf + j]*c.tB[start + j];
+                sum += s[p*f.size + j]*c.tB[f.start + j];
             }
             for (int i = 0; i < D; ++i) force[a*D + i] += sum[dir[i]]/V[a];
         }
-    }
+    });
 }
 
 

@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "variationalScheme.H"
+#include "lanczos.H"
 #include "passTimes.H"
 #include "stepLimit.H"
 #include <cmath>
@@ -74,12 +75,12 @@ void Foam::variationalScheme::boundFrequencies()
     // the number of processors
     const stepLimit limit(data_, x_, symmetry_);
     const scalar ratio = limit.squaredFrequency()/(sqr(data_.cp)*largest);
-    x_.boundRatio = std::ceil(1e2*ratio)/1e2;
+    x_.boundRatio = std::ceil(hundredths*ratio)/hundredths;
     largestFrequency_ = data_.cp*std::sqrt(x_.boundRatio*largest);
 
     // The state is undeformed yet
     const scalar bound = returnReduce(boundOfStep(), minOp<scalar>());
-    x_.stepRatio = std::floor(1e2*limit.step()/bound)/1e2;
+    x_.stepRatio = std::floor(hundredths*limit.step()/bound)/hundredths;
 }
 
 
@@ -128,17 +129,10 @@ void Foam::variationalScheme::findFilter()
     // all directions; rounded up to two digits
     forAll(x_.jacobian, a)
     {
-        scalar phase = 0;
-        for (label j = 0; j < dual_.nDim(); ++j)
-        {
-            phase +=
-                (j + 1)*17.3*dual_.nodePosition()[a*dual_.nDim() + j]
-               /std::pow(dual_.nodeVolume()[a], 1.0/dual_.nDim());
-        }
-        x_.jacobian[a] = std::sin(phase);
+        x_.jacobian[a] = std::sin(lanczos::phase(dual_, a));
     }
     scalar largest = 0;
-    for (label pass = 0; pass < 40; ++pass)
+    for (label pass = 0; pass < filterPasses; ++pass)
     {
         kernel_.smooth(x_, data_);
         dual_.sharing().sum(x_.average.data(), 1);
@@ -156,7 +150,7 @@ void Foam::variationalScheme::findFilter()
         largest = std::sqrt(after/before);
         forAll(x_.average, a) x_.jacobian[a] = -x_.average[a]/largest;
     }
-    x_.filter = 1/(std::ceil(1e2*largest)/1e2);
+    x_.filter = 1/(std::ceil(hundredths*largest)/hundredths);
 }
 
 
@@ -330,7 +324,7 @@ Foam::scalar Foam::variationalScheme::timeScale(const bool anew)
 
     // No edge loses more than a third of its length in a step: what is bounded
     // here is the stiffness at its start
-    return min(bound_, 1/(3*x_.closing + VSMALL));
+    return min(bound_, 1/(stepsToClose*x_.closing + VSMALL));
 }
 
 

@@ -139,12 +139,10 @@ void vertexKernelTemplate<D, nSJ, R, finite>::addBoundaryGradients
     constexpr label block = 8;
     alignas(64) scalar values[block][sG];
 
-    for (label f = 0; f < patch.nFaces(); ++f)
+    patch.forFaces([&](const dualPatch::face& f)
     {
-        const label start = patch.faceStart[f];
-        const label nf = patch.faceStart[f + 1] - start;
-        const scalar* w =
-            patch.weightVectors.cdata() + D*patch.weightStart[f];
+        const label start = f.start, nf = f.size;
+        const scalar* w = patch.weightVectors.cdata() + D*f.firstWeight;
 
         for (label j0 = 0; j0 < nf; j0 += block)
         {
@@ -184,7 +182,7 @@ void vertexKernelTemplate<D, nSJ, R, finite>::addBoundaryGradients
                 }
             }
         }
-    }
+    });
 }
 
 
@@ -203,24 +201,13 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxes
         energy ? fluxLoop<type, true>(d) : fluxLoop<type, false>(d);
     };
 
-    using type = limiterType;
-    if (none || d.limiter == type::none)
+    if constexpr (none)
     {
-        run(std::integral_constant<type, type::none>());
-    }
-    else if (d.limiter == type::BarthJespersen)
-    {
-        if constexpr (!none)
-        {
-            run(std::integral_constant<type, type::BarthJespersen>());
-        }
+        run(std::integral_constant<limiterType, limiterType::none>());
     }
     else
     {
-        if constexpr (!none)
-        {
-            run(std::integral_constant<type, type::Venkatakrishnan>());
-        }
+        slopeLimiter::withLimiter(d.limiter, run);
     }
 }
 
@@ -261,13 +248,11 @@ scalar vertexKernelTemplate<D, nSJ, R, finite>::boundaryFluxLoop
     scalar* rates = d.rates.data();
     scalar power = 0, storage = 0;
 
-    for (label f = 0; f < patch.nFaces(); ++f)
+    patch.forFaces([&](const dualPatch::face& f)
     {
-        const label start = patch.faceStart[f];
-        const label nf = patch.faceStart[f + 1] - start;
-        const scalar* s = patch.weights.cdata() + patch.weightStart[f];
-        const scalar* w =
-            patch.weightVectors.cdata() + D*patch.weightStart[f];
+        const label start = f.start, nf = f.size;
+        const scalar* s = patch.weights.cdata() + f.firstWeight;
+        const scalar* w = patch.weightVectors.cdata() + D*f.firstWeight;
 
         for (label p = 0; p < nf; ++p)
         {
@@ -330,7 +315,7 @@ scalar vertexKernelTemplate<D, nSJ, R, finite>::boundaryFluxLoop
                 }
             }
         }
-    }
+    });
 
     d.numericalDissipation += power - storage;
     return power;

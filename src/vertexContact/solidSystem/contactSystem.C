@@ -177,7 +177,12 @@ Foam::scalar Foam::contactSystem::closingTime() const
     {
         least = min
         (
-            least, 1/(3*contact.stageStatistics().closing + VSMALL)
+            least,
+            1
+           /(
+                variationalScheme::stepsToClose
+               *contact.stageStatistics().closing + VSMALL
+            )
         );
     }
     return least;

@@ -191,7 +191,7 @@ void Foam::solidSystem::keepStart()
 
 void Foam::solidSystem::startStep()
 {
-    const stopwatch watch(stepSeconds_);
+    const stopwatch watch(done_.stepSeconds);
     if (contactProperties_.valid() && contactProperties_->changed)
     {
         readLaws();
@@ -232,7 +232,7 @@ void Foam::solidSystem::startStep()
 
 void Foam::solidSystem::finishStep()
 {
-    const stopwatch watch(stepSeconds_);
+    const stopwatch watch(done_.stepSeconds);
     const scalar time = runTime_.value();
     if (integrator_.leapfrog())
     {
@@ -245,7 +245,7 @@ void Foam::solidSystem::finishStep()
     }
     checkEnergy();
 
-    ++steps_;
+    ++done_.steps;
 }
 
 

@@ -18,7 +18,7 @@
 
 void Foam::solidSystem::log()
 {
-    if (!control_.logs(steps_, runTime_.value()))
+    if (!control_.logs(done_.steps, runTime_.value()))
     {
         return;
     }
@@ -26,15 +26,12 @@ void Foam::solidSystem::log()
     warnings_.checkDeformations(bodies_);
 
     const label nClosed = contacts_.nClosed();
-    const scalar done = runTime_.value() - startOfRun_;
-    const scalar left = runTime_.endTime().value() - runTime_.value();
-    const scalar elapsed = clock_.elapsedTime();
 
     // The file's precision would make the line unreadable
     OSstream& os = Info;
     const int precision = os.precision(6);
 
-    os  << "Step " << steps_ << "  Time " << runTime_.value()
+    os  << "Step " << done_.steps << "  Time " << runTime_.value()
         << " s  deltaT " << runTime_.deltaTValue() << " s  Co "
         << runTime_.deltaTValue()/timeStepLimit_;
     if (accounts_.on())
@@ -48,7 +45,7 @@ void Foam::solidSystem::log()
     }
     if (relaxation_.valid()) relaxation_->log(os);
     os  << "  contacts " << nClosed << "  left "
-        << (done > 0 ? std::round(max(left, scalar(0))*elapsed/done) : 0)
+        << done_.secondsLeft(runTime_.value(), runTime_.endTime().value())
         << " s" << endl;
 
     os.precision(precision);
@@ -185,11 +182,9 @@ void Foam::solidSystem::reportCost(OSstream& os) const
 
     const scalarField bodyNodes(countNodes());
     const scalar nodes = sum(bodyNodes);
-    if (steps_)
+    if (done_.steps)
     {
-        os  << "Steps: " << steps_ << " in " << stepSeconds_ << " s, "
-            << 1e6*stepSeconds_/(scalar(steps_)*max(nodes, scalar(1)))
-            << " us per node and step" << nl << nl;
+        done_.report(os, nodes);
         if (passTimes::wanted())
         {
             scalar bytes = 0;
@@ -197,12 +192,12 @@ void Foam::solidSystem::reportCost(OSstream& os) const
             reduce(bytes, sumOp<scalar>());
             passTimes::report
             (
-                os, stepSeconds_, scalar(steps_)*nodes, bytes/nodes
+                os, done_.stepSeconds, scalar(done_.steps)*nodes, bytes/nodes
             );
         }
     }
 
-    if (steps_ && bodies_.size() > 1)
+    if (done_.steps && bodies_.size() > 1)
     {
         const scalarField stable(stableSteps());
         os  << "Stable steps at Co 1, at the end:";
@@ -215,11 +210,11 @@ void Foam::solidSystem::reportCost(OSstream& os) const
         os  << nl;
     }
 
-    if (steps_) warnings_.reportLaws(bodies_, os);
+    if (done_.steps) warnings_.reportLaws(bodies_, os);
     warnings_.reportGain();
     if (relaxation_.valid() && !dry_) relaxation_->report(os);
 
-    if (steps_) contacts_.reportCost(os, stepSeconds_);
+    if (done_.steps) contacts_.reportCost(os, done_.stepSeconds);
     os.precision(precision);
 }
 

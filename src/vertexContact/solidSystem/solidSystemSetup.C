@@ -247,7 +247,7 @@ Foam::solidSystem::solidSystem(Time& runTime)
     accounts_.read(record_);
     readSteps(record_);
     if (maxEnergyRise_ > 0) accountEnergies();
-    startOfRun_ = runTime_.value();
+    done_.start = runTime_.value();
 
     for (solidBody& body : bodies_)
     {
@@ -255,12 +255,12 @@ Foam::solidSystem::solidSystem(Time& runTime)
     }
     if (integrator_.leapfrog())
     {
-        evaluate(startOfRun_, 0);
+        evaluate(done_.start, 0);
     }
 
     // Time::run() compares the end with deltaT, which is not ours before the
     // first step
-    const scalar left = runTime_.endTime().value() - startOfRun_;
+    const scalar left = runTime_.endTime().value() - done_.start;
     if (control_.adjusts() && left > 0)
     {
         runTime_.setDeltaT(min(runTime_.deltaTValue(), 0.5*left), false);

@@ -14,6 +14,18 @@ Description
 #include "writtenTimes.H"
 #include "OStringStream.H"
 
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- The fastest node is one of this share of the largest speed: products differ
+//  in the last bits
+constexpr Foam::scalar asFast = 1 - 1e-12;
+
+} // End anonymous namespace
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::string Foam::solidSystem::describeHere
@@ -60,7 +72,7 @@ void Foam::solidSystem::checkTimeStep()
     {
         leastTimeStep_ = control_.minDeltaT
         (
-            1e-6
+            stepControl::leastStep
            *(
                 systemChecks::allRigid(bodies_)
               ? min(timeStepLimit_, runTime_.deltaTValue())
@@ -79,7 +91,7 @@ void Foam::solidSystem::checkTimeStep()
             [&](const solidBody& b) { return b.findNodeWithin(timeStepLimit_); }
         )
     );
-    if (runTime_.value() != startOfRun_ && !dry_)
+    if (runTime_.value() != done_.start && !dry_)
     {
         runTime_.writeNow();
     }
@@ -121,7 +133,7 @@ void Foam::solidSystem::stopStep
         dry_ ? "Nothing was written: this is a dry run."
       : "Nothing was written: this was the first step."
     );
-    if (startOfStep_ != startOfRun_ && !dry_)
+    if (startOfStep_ != done_.start && !dry_)
     {
         runTime_.writeNow();
         writtenTimes::check(*this);
@@ -207,7 +219,7 @@ void Foam::solidSystem::checkEnergy()
             {
                 return
                     &body == &bodies_[worst]
-                  ? body.findNodeFasterThan(fastest*(1 - 1e-12))
+                  ? body.findNodeFasterThan(fastest*asFast)
                   : -1;
             }
         )

@@ -61,7 +61,7 @@ void Foam::solidSystem::chooseStep()
         adjusts
      || ratios_->active()
      || timeStepLimit_ == 0
-     || control_.logs(steps_ + 1, startOfStep_ + runTime_.deltaTValue())
+     || control_.logs(done_.steps + 1, startOfStep_ + runTime_.deltaTValue())
     )
     {
         timeStepLimit_ = stableStep();

@@ -6,6 +6,7 @@
 
 #include "systemChecks.H"
 #include "stepControl.H"
+#include "stepRatios.H"
 #include "dictionaryCheck.H"
 #include "IOdictionary.H"
 
@@ -14,7 +15,8 @@
 namespace
 {
 
-//- Fastest impact, by the speed of waves, in which all surfaces kept apart
+//- Fastest impact, by the speed of waves, in which all surfaces kept apart: as
+//  measured (tests/robustness/stability.md)
 constexpr Foam::scalar fastImpact = 0.7;
 
 } // End anonymous namespace
@@ -137,11 +139,7 @@ void Foam::systemChecks::integrator
             }
         }
     }
-    if
-    (
-        control.dict().getOrDefault("subCycling", false)
-     && !integrator.leapfrog()
-    )
+    if (stepRatios::wanted(control.dict()) && !integrator.leapfrog())
     {
         FatalIOErrorInFunction(control.dict())
             << "Keyword 'subCycling' is yes, which does not go with preset "

@@ -153,7 +153,7 @@ TEST_CASE("two dissimilar bars up to release", "[acousticRiemann][serial]")
     )
     {
         const side L{vL*n, tL*n, 0.7, 0.5}, R{vR*n, tR*n, 1, 0.6};
-        return coulombContact(L, R, n, 0.3);
+        return contactOrRelease(L, R, n, 0.3);
     };
 
     const scalar v1 = 0.07/1.7, t1 = -0.07/1.7;

@@ -11,6 +11,9 @@ Description
     switched on slowly. Components in directions that the scene leaves out are
     ignored.
 
+    Throws FatalIOError for an acceleration that is missing, and for keywords
+    that are not its own.
+
 Usage
     \verbatim
         shaking

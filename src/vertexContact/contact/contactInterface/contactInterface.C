@@ -127,9 +127,9 @@ Foam::vector Foam::contactInterface::velocityChange
     {
         change = (change & p.n)*p.n;
     }
-    const scalar open = acousticRiemann::releaseVelocityMinus
+    const scalar open = acousticRiemann::releaseVelocity
     (
-        p.minus.zp, scalar(0), p.minus.t & p.n, scalar(0)
+        p.minus.zp, p.minus.t & p.n, scalar(0)
     );
     return change - open*p.n;
 }

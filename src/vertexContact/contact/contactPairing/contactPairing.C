@@ -207,11 +207,11 @@ Foam::vector Foam::contactPairing::gapDirection(const dictionary& dict) const
                 << "directions" << exit(FatalIOError);
         }
     }
-    else if (mag(Sm - Sp) > 0.1*(mag(Sm) + mag(Sp)))
+    else if (mag(Sm - Sp) > opposes*(mag(Sm) + mag(Sp)))
     {
         direction = Sm/max(mag(Sm), VSMALL) - Sp/max(mag(Sp), VSMALL);
     }
-    if (mag(direction) < 1e-6)
+    if (mag(direction) < noDirection)
     {
         FatalIOErrorInFunction(dict)
             << "Keyword 'direction': the mean normals of the sides "

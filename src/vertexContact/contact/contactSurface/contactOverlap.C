@@ -448,11 +448,7 @@ void Foam::contactOverlaps::append
     DynamicList<contactOverlap>& overlaps
 )
 {
-    // Slivers are left out, by share of the smaller part
-    constexpr scalar sliver = 1e-8;
-
-    // What is as good as on one line moves with both sides
-    const scalar onLine = joined ? 1e-9 : 0;
+    const scalar onLine = joined ? alongEdge : 0;
 
     vector u(Zero), w(Zero);
     if (nDim == 3)

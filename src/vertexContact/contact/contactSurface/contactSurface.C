@@ -97,11 +97,12 @@ contactFace makeFace
     const label d = dual.nDim();
 
     contactFace f;
-    const label start = patch.faceStart[facei];
-    f.size = patch.faceStart[facei + 1] - start;
+    const dualPatch::face its(patch.faceOf(facei));
+    const label start = its.start;
+    f.size = its.size;
     f.firstCorner = corners.toGlobal(start);
 
-    const scalar* s = patch.weights.cdata() + patch.weightStart[facei];
+    const scalar* s = patch.weights.cdata() + its.firstWeight;
     vector mean(Zero);
     for (label j = 0; j < f.size; ++j)
     {
@@ -130,9 +131,9 @@ contactFace makeFace
             max
             (
                 (((f.X[1] - f.X[0]) ^ d13) & n)/max(magSqr(n), VSMALL),
-                scalar(0.02)
+                scalar(contactFace::leastCrossing)
             ),
-            scalar(0.98)
+            scalar(1 - contactFace::leastCrossing)
         );
     }
     f.N = mean/mag(mean);
@@ -199,8 +200,8 @@ void outlines
     {
         if (!wanted(facei)) continue;
 
-        const label start = patch.faceStart[facei];
-        const label size = patch.faceStart[facei + 1] - start;
+        const dualPatch::face its(patch.faceOf(facei));
+        const label start = its.start, size = its.size;
         FixedList<point, 4> x(point::zero), X(point::zero);
         vector N(Zero);
         contactSurface::outline o;
@@ -355,10 +356,9 @@ Foam::contactSurface::sizes Foam::contactSurface::sizesOf
     const scalarField& depth = side.body->depth(side.patchi);
     const positions at(side, false);
     sizes all;
-    for (label facei = 0; facei < patch.nFaces(); ++facei)
+    patch.forFaces([&](const dualPatch::face& f)
     {
-        const label start = patch.faceStart[facei];
-        const label size = patch.faceStart[facei + 1] - start;
+        const label start = f.start, size = f.size;
         FixedList<point, 4> X(point::zero);
         point centre(Zero);
         for (label j = 0; j < size; ++j)
@@ -374,7 +374,7 @@ Foam::contactSurface::sizes Foam::contactSurface::sizesOf
         {
             all.reach = max(all.reach, mag(X[j] - centre));
         }
-    }
+    });
     reduce(all.least, minOp<scalar>());
     reduce(all.reach, maxOp<scalar>());
     return all;
@@ -562,7 +562,7 @@ bool Foam::contactSurface::snapshot::mayOppose
 {
     const scalar between =
         std::acos(max(min(axis & other.axis, scalar(1)), scalar(-1)));
-    return angle + other.angle + between > by - 1e-6;
+    return angle + other.angle + between > by - roundOff;
 }
 
 

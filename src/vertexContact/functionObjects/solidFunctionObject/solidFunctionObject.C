@@ -6,6 +6,7 @@
 
 #include "solidFunctionObject.H"
 #include "dictionaryCheck.H"
+#include "wholeSteps.H"
 #include "Time.H"
 #include "timeControl.H"
 #include "OSspecific.H"
@@ -58,7 +59,7 @@ Foam::scalar Foam::functionObjects::solidFunctionObject::passed() const
     const scalar length = runTime_.endTime().value() - start;
     return
         length > 0
-      ? std::floor(rowsOfRun*(runTime_.value() - start)/length + 1e-6)
+      ? wholeSteps::within(rowsOfRun*(runTime_.value() - start)/length)
       : scalar(0);
 }
 

@@ -43,7 +43,7 @@ Foam::hardening::table::table(const dictionary& dict)
         (
             last > 0, dict, "maxStrain", last, "positive"
         );
-        constexpr label n = 1000;
+        const label n = nParts;
         strains.setSize(n + 1);
         stresses.setSize(n + 1);
         for (label i = 0; i <= n; ++i)
@@ -192,11 +192,11 @@ Foam::scalar Foam::hardening::JohnsonCook::increment
     // with the weight of an end that stays halved
     scalar a = 0, b = q/threeMu;
     scalar fa = excess(a), fb = excess(b);
-    for (int i = 0; i < 100 && b - a > 1e-15*b; ++i)
+    for (int i = 0; i < mostPasses && b - a > narrowest*b; ++i)
     {
         const scalar d = (fa*b - fb*a)/(fa - fb);
         const scalar f = excess(d);
-        if (mag(f) <= 1e-13*q)
+        if (mag(f) <= solved*q)
         {
             return d;
         }

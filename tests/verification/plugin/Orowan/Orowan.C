@@ -83,7 +83,7 @@ public:
         {
             if (!p.touching)
             {
-                p.result = separated(p.minus, p.plus, p.n);
+                p.result = separated(p.minus, p.plus);
                 continue;
             }
 

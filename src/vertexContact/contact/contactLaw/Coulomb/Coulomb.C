@@ -16,6 +16,8 @@ Description
     \f]
     which without a decay \f$\lambda\f$ is k at any speed.
 
+    Throws FatalIOError for numbers that are missing or out of their range.
+
 Usage
     \table
         Property            | Description                         | Default
@@ -115,7 +117,7 @@ public:
             p.result =
                 p.touching
               ? coulombContact(p.minus, p.plus, p.n, kStatic_)
-              : separated(p.minus, p.plus, p.n);
+              : separated(p.minus, p.plus);
             if (kStatic_ > k_ && p.result.state == status::slip)
             {
                 const scalar share =

@@ -47,7 +47,7 @@ public:
             p.result =
                 p.touching
               ? coulombContact(p.minus, p.plus, p.n, 0)
-              : separated(p.minus, p.plus, p.n);
+              : separated(p.minus, p.plus);
             if (p.result.state == status::stick)
             {
                 // A trial without shear: nothing distinguishes stick and slip

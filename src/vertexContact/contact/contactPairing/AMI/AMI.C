@@ -47,7 +47,8 @@ struct surface
     (
         const contactSide& side,
         const contactFaceList& all,
-        const vector& direction
+        const vector& direction,
+        const scalar facesGap
     )
     {
         const medianDual& dual = side.body->dual();
@@ -58,7 +59,7 @@ struct surface
         DynamicList<label> facing(all.size());
         forAll(all, f)
         {
-            if ((all[f].n & direction) > 0.01) facing.append(f);
+            if ((all[f].n & direction) > facesGap) facing.append(f);
         }
         index.transfer(facing);
 
@@ -161,8 +162,8 @@ Foam::contactPairings::AMI::AMI
     (
         contactSurface::faces(plus, plusCorners_, false)
     );
-    surface source(minus, minusFaces, direction);
-    surface target(plus, plusFaces, -direction);
+    surface source(minus, minusFaces, direction, facesGap);
+    surface target(plus, plusFaces, -direction, facesGap);
 
     // Close the gap
     const scalar gap = leastGap

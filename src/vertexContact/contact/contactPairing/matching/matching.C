@@ -38,7 +38,7 @@ Foam::labelList Foam::contactPairings::matching::facing
     for (label k = 0; k < patch.nCorners(); ++k)
     {
         const vector N(side.body->expand(patch.cornerNormal.cdata() + k*d));
-        if ((N & direction) > 0.01)
+        if ((N & direction) > facesGap)
         {
             corners.append(k);
         }
@@ -72,9 +72,9 @@ void Foam::contactPairings::matching::identify
         return vector(x - (x & direction)*direction);
     };
 
-    for (label f = 0; f < patch.nFaces(); ++f)
+    patch.forFaces([&](const dualPatch::face& f)
     {
-        const label start = patch.faceStart[f], end = patch.faceStart[f + 1];
+        const label start = f.start, end = f.start + f.size;
         vector centre(Zero);
         for (label k = start; k < end; ++k) centre += X(k)/(end - start);
 
@@ -86,7 +86,7 @@ void Foam::contactPairings::matching::identify
               ? mag(X(k) - centre)
               : side.body->depth(side.patchi)[k];
         }
-    }
+    });
 
     place = vectorField(allPlaces, corners);
     size = scalarField(allSizes, corners);
@@ -130,9 +130,8 @@ Foam::contactPairings::matching::matching
         const autoPtr<pointTree> tree(newPointTree(allPlus, max(sizeMinus)));
         forAll(placeMinus, k)
         {
-            // Coincidence: within a percent of the size of the face, which
-            // is that of the other one, too. In 1D faces have none
-            const scalar within = 1e-2*sizeMinus[k];
+            // In 1D faces have no size
+            const scalar within = coincidence*sizeMinus[k];
             const pointIndexHit hit
             (
                 tree->findNearest(placeMinus[k], sqr(within))

@@ -35,6 +35,12 @@ using namespace Foam;
 //- Largest product of the normals of faces that meet
 constexpr scalar leastOpposed = -0.5;
 
+//- Of one body: distance of nodes, by the width of the faces, up to which they
+//  are the same one, and up to which faces that do not face each other are
+//  neighbours across an edge of the body: their next ones begin there
+constexpr scalar sameNode = 1e-6;
+constexpr scalar neighbours = 2;
+
 boundBox grown(boundBox b, const scalar by)
 {
     b.min() -= by*vector::one;
@@ -153,7 +159,6 @@ bool Foam::contactPairings::nearestFace::opposed
             return false;
         }
 
-        // Neighbours
         point Ca(Zero), Cb(Zero);
         scalar closest = GREAT, radius = 0;
         for (label i = 0; i < a.size; ++i) Ca += a.X[i]/a.size;
@@ -166,12 +171,12 @@ bool Foam::contactPairings::nearestFace::opposed
                 closest = min(closest, mag(a.X[i] - b.X[j]));
             }
         }
-        if (closest < 1e-6*width)
+        if (closest < sameNode*width)
         {
             return false;
         }
-        const bool faced = (a.N & b.N) < -0.5 && ((Cb - Ca) & a.N) > 0;
-        if (closest < 2*width && !faced)
+        const bool faced = (a.N & b.N) < leastOpposed && ((Cb - Ca) & a.N) > 0;
+        if (closest < neighbours*width && !faced)
         {
             return false;
         }
