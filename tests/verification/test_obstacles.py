@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from caseTools import DEFAULT, PRESET, checkEnergies
+from contactScenes import rigid
 from smallCases import (ELASTIC, RUBBER, Body, SmallCase, coulomb, interface,
                         largest)
 
@@ -154,6 +155,113 @@ def test_rotating(tmp_path, figures):
                  L[-1]/inertia/omega, 1, 0.1)
         f.atMost("momentum aside / (mass omega r)", largest(
             case.momentumOf("block")[:, (0, 2)])/(0.4*omega*0.5), 1e-2)
+
+
+def rotating(origin, axis, omega):
+    return {"solidBodyMotionFunction": "rotatingMotion",
+            "rotatingMotionCoeffs": {"origin": origin, "axis": axis,
+                                     "omega": omega}}
+
+
+# A box that turns below a block: corners, faces and points of it come past.
+# How far the highest is from the axis, as many times half of its height
+WAYS = {
+    "corner": ((-0.5, 1.5), (-5, 6), (0, 0, 1), np.sqrt(2)),
+    "edge in 3D": ((-0.5, 1.5), (0.2, 0.8), (0, 0, 1), np.sqrt(2)),
+    "narrow edge": ((0.3, 0.7), (-0.5, 1.5), (1, 0, 0), np.sqrt(2)),
+    "face": ((-1.5, 2.5), (0.2, 0.8), (0, 1, 0), 1)}
+
+
+@pytest.mark.parametrize("preset", (DEFAULT, PRESET))
+@pytest.mark.parametrize("way", WAYS)
+def test_turns_past_a_block(tmp_path, figures, way, preset):
+    """A box that turns below a block and does not touch it moves nothing:
+    planes of its faces end at its edges."""
+    (x0, x1), (z0, z1), axis, highest = WAYS[way]
+    gap, omega = 0.05, 0.2
+    y = -highest - gap
+    cells = (8, 8) if way == "corner" else (6, 6, 6)
+    case = SmallCase(
+        tmp_path, Body(cells=cells, name="block", sides={"bottom": "contact"}),
+        np.pi/omega, preset=preset, functions=("contactForces",),
+        interfaces=wall({"type": "box", "min": (x0, y - 1, z0),
+                         "max": (x1, y + 1, z1)},
+                        motion=rotating((0.5, y, 0.5), axis, omega))).run()
+    gaps = case.at("contactGap")
+    with figures(f"box turns below a block, {way}, {preset}") as f:
+        f.equal("largest displacement", largest(case.at("pointD")), 0)
+        f.equal("largest force", largest(case.contact("wall")["area"]), 0)
+        if way == "face":
+            f.within("least gap / that of the face",
+                     gaps[gaps > 0].min()/gap, 1, 1e-12)
+
+
+def wedge(folder, tip, half, depth):
+    """A triangular prism whose tip points up, 0.1 to 0.9 in z, as a file."""
+    x, y = tip
+    corners = np.array([(px, py, z) for z in (0.1, 0.9) for px, py in (
+        (x - half, y - depth), (x + half, y - depth), (x, y))])
+    faces = ((0, 2, 1), (3, 4, 5), (0, 1, 4), (0, 4, 3), (1, 2, 5), (1, 5, 4),
+             (2, 0, 3), (2, 3, 5))
+    lines = ["solid wedge"]
+    for face in faces:
+        a, b, c = corners[list(face)]
+        n = np.cross(b - a, c - a)
+        lines += ["facet normal %g %g %g" % tuple(n/np.linalg.norm(n)),
+                  "outer loop"]
+        lines += ["vertex %.12g %.12g %.12g" % tuple(p) for p in (a, b, c)]
+        lines += ["endloop", "endfacet"]
+    folder.mkdir(parents=True)
+    (folder/"wedge.stl").write_text("\n".join([*lines, "endsolid wedge", ""]))
+
+
+def test_wedge_goes_past_a_block(tmp_path, figures):
+    """So does the edge of a thin wedge, which is in front of neither of the
+    planes of its faces."""
+    gap = 0.05
+    wedge(tmp_path/"constant"/"triSurface", (-1, -gap), 0.2, 1)
+    case = SmallCase(
+        tmp_path, Body(cells=(6, 6, 6), name="block",
+                       sides={"bottom": "contact"}), 15, preset=DEFAULT,
+        functions=("contactForces",), interfaces=wall(
+            {"type": "triSurfaceMesh", "file": "wedge.stl"},
+            motion={"velocity": (0.2, 0, 0)})).run()
+    with figures("wedge goes past below a block") as f:
+        f.equal("largest displacement", largest(case.at("pointD")), 0)
+
+
+def test_turning_box_as_a_rigid_region(tmp_path, figures):
+    """A box that turns like a door hits a block with its face: momenta and
+    energy are those with the same box as a rigid region, the closer the finer
+    the block."""
+    lo, hi, deep = np.array(((-4, -0.8, 0), (2, -0.2, 1), (0, 0, 1)))
+    motion = rotating((-4, -0.2, 0), (0, 0, 1), 0.02)
+    apart = []
+    for n in 8, 16:
+        found = []
+        for kind in "obstacle", "region":
+            bodies = [Body(cells=(n, n), name="block",
+                           sides={"bottom": "contact"})]
+            contact = wall({"type": "box", "min": lo - deep, "max": hi + deep},
+                           motion=motion)
+            if kind == "region":
+                bodies += [Body(cells=(6*n, n), name="box", start=lo,
+                                size=hi - lo, material=rigid(motion=motion),
+                                sides={"top": "contact"})]
+                contact = {"wall": interface(
+                    ("block", "bottom"), ("box", "top"),
+                    pairing="nearestFace")}
+            case = SmallCase(tmp_path/f"{n}{kind}", bodies, 4,
+                             interfaces=contact, preset=DEFAULT,
+                             functions=("contactForces",)).run()
+            found.append((*case.momentumOf("block")[-1, :2],
+                          case.angularMomentumOf("block")[-1, 2]))
+        apart.append(largest(np.subtract(*found))/largest(found))
+    with figures("turning box hits a block, obstacle against region") as f:
+        f.falling("difference of the momenta / largest", apart)
+        f.atMost("on the finer mesh", apart[-1], 1e-3)
+        f.atLeast("momentum / mass times speed of the box", found[0][1]/0.09,
+                  1.4)
 
 
 def test_far_away(tmp_path, figures):

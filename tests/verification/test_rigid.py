@@ -342,6 +342,63 @@ def test_turning_region(tmp_path, figures):
             case.at("lm") - U)/largest(U), 0.1*(angle/steps)**2)
 
 
+# Displacement, velocity and angle of motions
+def waves(t):
+    return np.array((0.3*np.sin(2*t), 0.2*t**2, 0.1*np.cos(3*t) - 0.1))
+
+
+def wavesRate(t):
+    return np.array((0.6*np.cos(2*t), 0.4*t, -0.3*np.sin(3*t)))
+
+
+def listedMotion(function):
+    """A table that is fine against the step."""
+    return table(*((t, tuple(function(t))) for t in np.linspace(0, 1.1, 4401)))
+
+
+MOVED = {
+    "displacement": ({"displacement": listedMotion(waves)},
+                     lambda X, t: np.tile(wavesRate(t), (len(X), 1))),
+    "velocity": ({"velocity": listedMotion(wavesRate)},
+                 lambda X, t: np.tile(wavesRate(t), (len(X), 1))),
+    "linear": ({"solidBodyMotionFunction": "oscillatingLinearMotion",
+                "oscillatingLinearMotionCoeffs": {
+                    "amplitude": (0.2, 0, 0.1), "omega": 3}},
+               lambda X, t: np.tile(3*np.cos(3*t)*np.array((0.2, 0, 0.1)),
+                                    (len(X), 1))),
+    "rotation": ({"solidBodyMotionFunction": "oscillatingRotatingMotion",
+                  "oscillatingRotatingMotionCoeffs": {
+                      "origin": (0.5, -1, 0.5), "amplitude": (0, 0, 40),
+                      "omega": 3}},
+                 lambda X, t: np.cross(
+                     (0, 0, np.radians(40)*3*np.cos(3*t)), turned(
+                         X - (0.5, -1, 0.5), (0, 0, 1),
+                         np.radians(40)*np.sin(3*t))))}
+
+
+@pytest.mark.parametrize("name", MOVED)
+def test_velocity_of_a_moved_region(tmp_path, figures, name):
+    """The velocity that is written is that of the motion at the time of the
+    displacement, to second order in the step; so is what can move across."""
+    motion, theory = MOVED[name]
+    errors = []
+    for steps in 20, 40:
+        free = {} if name == "rotation" else {
+            "freeTranslation": "(y)", "force": (0, 1, 0)}
+        case = SmallCase(
+            tmp_path/f"{steps}", Body(cells=(2, 2, 2), material=rigid(
+                motion=motion, **free)), 1, preset=DEFAULT,
+            control={**FIXED, "deltaT": 1/steps}).run()
+        U = theory(case.X(), 1)
+        if free:
+            U[:, 1] = 1
+        errors.append(largest(case.at("pointU") - U)/largest(U))
+    with figures(f"rigid region with the motion {name}") as f:
+        f.atMost("pointU from theory / largest", errors[1], 2e-3)
+        if errors[1] > 1e-10:
+            f.within("ratio of two steps", errors[0]/errors[1], 4, 0.5)
+
+
 def test_turning_obstacle(tmp_path, figures):
     """A plane that a motion turns below a block is where the rotation brings
     it: the gaps of the block say so."""

@@ -136,6 +136,40 @@ def test_sudden_load_for_long(tmp_path, figures, law):
                  abs(e["total:balance"][-1])/strain, 0.01)
 
 
+@pytest.mark.parametrize("speeds", (1.5, 2, 3, 4))
+def test_tied_bars_do_not_feed_each_other(tmp_path, figures, speeds):
+    """Pairs of bars of 1, 3 and 10 cells, tied, with motions of all waves that
+    the meshes have, with the longest steps: nothing grows, not even where a bar
+    has one cell, whose waves nothing damps."""
+    random = np.random.default_rng(1)
+
+    def shaken(X):
+        return SPEED*random.standard_normal((len(X), 1))*np.array((1, 0, 0))
+
+    grown = {}
+    for n in 1, 3, 10:
+        for m in 1, 3, 10:
+            for maxCo in 0.7, 0.95:
+                soft = Body(cells=(n,), name="soft", material=elastic(1),
+                            velocity=shaken, sides={"right": "contact"})
+                stiff = Body(cells=(m,), name="stiff", start=(1, 0, 0),
+                             size=(m/n, 1, 1), material=elastic(speeds**2),
+                             velocity=shaken, sides={"left": "contact"})
+                case = finished(SmallCase(
+                    tmp_path/f"{n}{m}{maxCo}", (soft, stiff), 400/n, {
+                        "bars": interface(("soft", "right"), ("stiff", "left"),
+                                          "tied")}, preset=DEFAULT, control={
+                        "maxCo": maxCo, "subCycling": "yes",
+                        "logInterval": 1000000}))
+                E = case.energies["total:kinetic"]
+                E = E + case.energies["total:strain"]
+                k = len(E)//4
+                grown[n, m, maxCo] = max(E[3*k:])/max(E[k:2*k])
+    with figures(f"tied bars, speeds of waves 1:{speeds}") as f:
+        f.atMost("largest growth of the energy, 18 pairs, some 400 steps",
+                 max(grown.values()), 1.01)
+
+
 def turning(folder, E=100, pairing="AMI", time=63, **control):
     """A soft body that turns with a stiff one tied to it; a turn takes 63."""
     def spin(X):

@@ -177,6 +177,36 @@ Foam::vector Foam::obstacleMotion::spin() const
 }
 
 
+void Foam::obstacleMotion::endOfStep
+(
+    const scalar time,
+    const scalar step,
+    const point& X,
+    vector& velocity,
+    vector& spin
+)
+{
+    const scalar half = 0.5*step;
+    const septernion end(poseAt(time));
+    const septernion middle(poseAt(max(start_, time - half)));
+    const septernion begin(poseAt(max(start_, time - step)));
+    const point x(middle.transformPoint(X));
+
+    // Means of the halves, at their middles
+    spin =
+        1.5*obstacleMotion::spin(middle.r(), end.r(), half)
+      - 0.5*obstacleMotion::spin(begin.r(), middle.r(), half);
+    velocity =
+        velocity_
+      ? translation_->value(time)
+      : vector
+        (
+            1.5/half*(end.transformPoint(X) - x)
+          - 0.5/half*(x - begin.transformPoint(X))
+        );
+}
+
+
 Foam::vector Foam::obstacleMotion::spin
 (
     const quaternion& before,

@@ -316,6 +316,10 @@ Foam::rigidBody::rigidBody
     if (dict.found("motion"))
     {
         motion_.reset(new obstacleMotion(dict, runTime));
+        motion_->setInterval
+        (
+            1e-6*(runTime.endTime().value() - runTime.startTime().value())
+        );
     }
     readFreedoms(dict, mirrors);
 
@@ -419,6 +423,26 @@ Foam::rigidBody::motionState Foam::rigidBody::fullAcceleration() const
 }
 
 
+Foam::rigidBody::motionState Foam::rigidBody::heldAcceleration
+(
+    const scalar lastStep
+)
+{
+    motionState a;
+    if (motion_.valid() && lastStep > 0)
+    {
+        motion_->endOfStep(now_.time, lastStep, start_, a.velocity, a.spin);
+        a.velocity =
+            2/lastStep*(held() & (a.velocity - now_.P/mass_.mass));
+        a.spin =
+            rotation_ == freedom::none
+          ? vector(2/lastStep*(a.spin - now_.L))
+          : vector(Zero);
+    }
+    return a;
+}
+
+
 bool Foam::rigidBody::finite() const
 {
     return std::isfinite(magSqr(now_.P) + magSqr(now_.L) + magSqr(now_.shift));
@@ -451,6 +475,7 @@ Foam::rigidBody::motionState Foam::rigidBody::freePart
 void Foam::rigidBody::setMotion(const motionState& v, const scalar time)
 {
     motionState m(freePart(v));
+    now_.time = time;
     if (motion_.valid())
     {
         motion_->setTime(time);
@@ -523,6 +548,7 @@ Foam::rigidBody::works Foam::rigidBody::leap
     }
 
     // Position
+    now_.time = time + deltaT;
     now_.shift += deltaT*perMass*now_.P;
     if (rotation_ == freedom::all)
     {

@@ -276,7 +276,13 @@ void Foam::solidBody::placeAll() const
     const tensor R(rigid_->rotation());
     const rigidBody::motionState v(rigid_->motion(lastStep_));
     const rigidBody::motionState now{v.velocity, rigid_->presentSpin()};
-    const rigidBody::motionState rate(rigid_->fullAcceleration());
+    rigidBody::motionState rate(rigid_->fullAcceleration());
+    const rigidBody::motionState held
+    (
+        self.rigid_->heldAcceleration(lastStep_)
+    );
+    rate.velocity += held.velocity;
+    rate.spin += held.spin;
     for (label a = 0; a < dual_.nNodes(); ++a)
     {
         self.placeNode(a, R, rigid_->shift(), v);

@@ -113,18 +113,20 @@ void Foam::solidSystem::solveInBlocks
 {
     passTimes::timed(passTimes::contact, [&]
     {
+        // Blocks are multiples; that of the shortest step is this step. Before
+        // the first common step there was none to have a mean with
+        const bool differ = commonStep_ > 0 && max(blocks) > 1.5*deltaT;
         forAll(bodies_, i)
         {
-            // Blocks are multiples
-            if (blocks[i] > 1.5*deltaT)
+            if (differ || blocks[i] > 1.5*deltaT)
             {
                 bodies_[i].contact().setBlock(deltaT, blocks[i]);
-                bodies_[i].placeSurface(afters[i]);
             }
             else
             {
                 bodies_[i].contact().setStep(deltaT);
             }
+            if (blocks[i] > 1.5*deltaT) bodies_[i].placeSurface(afters[i]);
             bodies_[i].contact().clearAll();
         }
         contacts_.solve(time, true);

@@ -56,6 +56,124 @@ Foam::scalar Foam::obstacleInterface::obstacleMoved() const
 }
 
 
+void Foam::obstacleInterface::nearestTo
+(
+    const pointField& X,
+    List<pointIndexHit>& hits,
+    vectorField& normals
+) const
+{
+    surface_->findNearest(X, scalarField(X.size(), sqr(GREAT)), hits);
+    surface_->getNormal(hits, normals);
+
+    // Of an edge the surface says the normal of one of its faces
+    DynamicList<label> behind;
+    forAll(X, i)
+    {
+        if (!hits[i].hit()) continue;
+        const vector r(X[i] - hits[i].hitPoint());
+        const scalar gap = r & normals[i];
+        if (magSqr(r - gap*normals[i]) <= sqr(edgeRoundOff*leastWidth_))
+        {
+            continue;
+        }
+        if (gap > 0)
+        {
+            normals[i] = r/mag(r);
+        }
+        else
+        {
+            behind.append(i);
+        }
+    }
+
+    // Behind the face, but outside of a sharp edge
+    if (behind.empty() || !surface_->hasVolumeType()) return;
+    List<volumeType> sides;
+    surface_->getVolumeType(pointField(X, behind), sides);
+    forAll(behind, k)
+    {
+        const label i = behind[k];
+        const vector r(X[i] - hits[i].hitPoint());
+        if (sides[k] == volumeType::OUTSIDE) normals[i] = r/mag(r);
+    }
+}
+
+
+void Foam::obstacleInterface::findEdges()
+{
+    atEdges_.clear();
+    const medianDual& dual = side_.body->dual();
+    const label d = dual.nDim();
+
+    // What the corner and the obstacle may move, in any direction
+    const scalar reach = 2*allowed_*Foam::sqrt(scalar(d));
+    const scalar most = 0.5*sqr(reach)/leastWidth_;
+
+    pointField probes(2*d*planes_.size());
+    label n = 0;
+    for (const plane& its : planes_)
+    {
+        const point X(cornerOf(its));
+        for (label i = 0; i < d; ++i)
+        {
+            vector e(Zero);
+            e[dual.directions()[i]] = reach;
+            e = motion_.pose().r().invTransform(e);
+            probes[n++] = X + e;
+            probes[n++] = X - e;
+        }
+    }
+    List<pointIndexHit> hits;
+    surface_->findNearest
+    (
+        probes, scalarField(probes.size(), sqr(GREAT)), hits
+    );
+    n = 0;
+    forAll(planes_, k)
+    {
+        bool leaves = false;
+        for (label i = 0; i < 2*d; ++i, ++n)
+        {
+            if (!hits[n].hit()) continue;
+            const scalar gap = mag((probes[n] - planes_[k].x) & planes_[k].n);
+            leaves =
+                leaves
+             || mag(mag(probes[n] - hits[n].hitPoint()) - gap) > most;
+        }
+        if (leaves) atEdges_.append(k);
+    }
+}
+
+
+void Foam::obstacleInterface::followEdges()
+{
+    if (atEdges_.empty()) return;
+
+    pointField X(atEdges_.size());
+    forAll(X, k) X[k] = cornerOf(planes_[atEdges_[k]]);
+    List<pointIndexHit> hits;
+    vectorField normals;
+    nearestTo(X, hits, normals);
+    forAll(X, k)
+    {
+        if (!hits[k].hit()) continue;
+        plane& its = planes_[atEdges_[k]];
+        its.x = hits[k].hitPoint();
+        its.n = normals[k];
+    }
+}
+
+
+Foam::point Foam::obstacleInterface::cornerOf(const plane& its) const
+{
+    return motion_.pose().invTransformPoint
+    (
+        contactSurface::place(side_, its.corner).x
+    );
+}
+
+
 void Foam::obstacleInterface::solveForces(const bool firstStage)
 {
     solidBody& body = *side_.body;
@@ -119,10 +237,7 @@ void Foam::obstacleInterface::setObstacle
 {
     const septernion& pose = motion_.pose();
     const plane& its = planes_[i];
-    const point X
-    (
-        pose.invTransformPoint(contactSurface::place(side_, its.corner).x)
-    );
+    const point X(cornerOf(its));
     p.plus.v = motion_.velocity(X);
     p.plus.t = vector::zero;
     p.plus.zp = rigid*p.minus.zp;
@@ -269,8 +384,7 @@ void Foam::obstacleInterface::findNearest
             side_.body->position(patch.cornerNode[k])
         );
     }
-    surface_->findNearest(X, scalarField(X.size(), sqr(GREAT)), hits);
-    surface_->getNormal(hits, normals);
+    nearestTo(X, hits, normals);
 }
 
 
@@ -337,6 +451,7 @@ void Foam::obstacleInterface::update(const scalar time, const bool)
       ? 0.5*(nearest - leastWidth_)
       + surfaceMotion::largestDistance*leastWidth_
       : surfaceMotion::usualDistance*leastWidth_;
+    findEdges();
     boundBox box(sideMotion_.box());
     reach_.clear();
     if (motion_.moves() && box.min().x() <= box.max().x())
@@ -374,6 +489,7 @@ void Foam::obstacleInterface::solve(const scalar time, const bool firstStage)
     cornerStates& M = side_.body->corners(side_.patchi);
     const scalarField& depth = side_.body->depth(side_.patchi);
     motion_.setTime(time);
+    followEdges();
 
     if (side_.body->variational())
     {
