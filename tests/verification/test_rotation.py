@@ -64,8 +64,7 @@ def test_spinning_cube(tmp_path, figures):
                  L[0, 2]/(1100*30/6), 1, 0.06)
         f.atMost("change of angular momentum / initial", drift(L), 1e-10)
         f.atMost("momentum / (mass omega edge)", largest(p)/(1100*30), 1e-12)
-        # Of second order; the centripetal acceleration alone makes a third of
-        # the square of the angle of a step, 1.3e-4 (solidBody)
+        # Of second order: the square of the angle of a step is 3.9e-4
         f.atMost("balance / initial energy",
                  largest(case.energies["total:balance"])/total[0], 4e-4)
         f.atLeast("energy after ten turns / initial", total[-1]/total[0],
