@@ -146,6 +146,22 @@ def test_work_of_a_moving_clamp(tmp_path, figures):
                  largest(run.energies["total:balance"])/held[0], 2e-3)
 
 
+@pytest.mark.parametrize("cells", ((6,), (6, 6), (4, 4, 4)), ids=str)
+def test_kept_energy_of_linear_bodies(tmp_path, figures, cells):
+    """With the default step, near the stable one: what the leapfrog keeps is
+    the energy less the swing, so that the balance is round-off where forces are
+    linear, though energies of instants swing."""
+    n = len(cells)
+    run = defaultCase(tmp_path, Body(cells, material=ELASTIC,
+                                     velocity=rough(n)), 20, every=1).run()
+    E, kept = run.totalEnergy, run.keptEnergy
+    with figures(f"variational, linear {cells}") as f:
+        f.atLeast("largest swing / energy", largest(E - kept)/E[0], 0.01)
+        f.atMost("balance / energy",
+                 largest(run.energies["total:balance"])/E[0], 1e-13)
+        f.atMost("largest rise of what is kept", rise(kept)/E[0], 1e-13)
+
+
 @pytest.mark.parametrize("on, law, counts, ratio, weight", (
     ("plane", coulomb(0.5), (4, 4), 0, 0.05),
     ("body", coulomb(0.5), (4, 4), 1, 0.005),
