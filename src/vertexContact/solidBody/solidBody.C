@@ -398,6 +398,9 @@ Foam::solidBody::solidBody
                 mirrorPatches_
             )
         );
+        // The scheme has them in blocks
+        dual_.forgetEdgeArea();
+        data_.mirrorArea.clear();
         findSurfaceNodes();
         externalForce_.setSize(dual_.nNodes()*dual_.nDim(), Zero);
         work_.setSize(dual_.nNodes()*dual_.nDim(), Zero);

@@ -70,24 +70,23 @@ label variationalKernelTemplate<D, finite>::correctLoop
     variationalData& x
 )
 {
-    constexpr int sC = variationalLayout::strideC(D, corrects);
-    constexpr int sT = D*sC;
+    constexpr int sT = D*sA;
     const scalar* U = x.U.cdata();
     const scalar* grad = x.grad.cdata();
     const scalar half = 0.5*x.beta;
-    scalar* correction = x.correction.data();
+    scalar* correction = x.adjoint.data();
     scalar* sensor = x.sensor.data();
     scalar* rates = d.rates.data();
     lanes closing{}, opening{};
 
     // In 2D and 3D: sums of the first node, in registers as long as it is the
     // same. In 2D both columns are one row
-    constexpr int wC = D == 2 ? sT : sC;
+    constexpr int wC = D == 3 && !corrects ? 4 : 8;
     constexpr int nC = D == 2 ? 1 : D;
     struct
     {
         index node = -1;
-        alignas(registerBytes) row<wC == 8 ? 8 : 4> columns[nC] = {};
+        alignas(registerBytes) row<wC> columns[nC] = {};
         row<8> other{};
     } first;
     const auto keep = [&]()
@@ -98,7 +97,7 @@ label variationalKernelTemplate<D, finite>::correctLoop
             #pragma GCC unroll 3
             for (int j = 0; j < nC; ++j)
             {
-                rowAt<wC>(correction + first.node*sT + j*wC) =
+                rowAt<wC>(correction + first.node*sT + j*sA) =
                     first.columns[j];
             }
             rowAt<8>(sensor + first.node*sS) = first.other;
@@ -112,7 +111,7 @@ label variationalKernelTemplate<D, finite>::correctLoop
             #pragma GCC unroll 3
             for (int j = 0; j < nC; ++j)
             {
-                first.columns[j] = rowAt<wC>(correction + a*sT + j*wC);
+                first.columns[j] = rowAt<wC>(correction + a*sT + j*sA);
             }
             first.other = rowAt<8>(sensor + a*sS);
         }
@@ -127,6 +126,7 @@ label variationalKernelTemplate<D, finite>::correctLoop
         {
             if constexpr (D > 1) takeForce(d, x, a);
             nBad += !moveNode(d, x, a);
+            takeJumps(x, a);
         });
     };
 
@@ -179,7 +179,7 @@ label variationalKernelTemplate<D, finite>::correctLoop
 
         if constexpr (D == 3)
         {
-            const scalar* rush = x.rush.cdata();
+            const scalar* rush = x.acceleration.cdata();
             alignas(registerBytes) row<8> differences[nLanes];
             alignas(registerBytes) row<8> sums[nLanes];
             alignas(registerBytes) row<4> force[nLanes];
@@ -218,7 +218,7 @@ label variationalKernelTemplate<D, finite>::correctLoop
                 }
                 return spliced
                 (
-                    rowAt<4>(rush + b*4) - rowAt<4>(rush + a*4), sum
+                    threeAt(rush + b*D) - threeAt(rush + a*D), sum
                 );
             });
             for (int i = 0; i < D; ++i)
@@ -249,13 +249,13 @@ label variationalKernelTemplate<D, finite>::correctLoop
                         constexpr row<8> sign = {-1, -1, -1, -1, 1, 1, 1, 1};
                         const row<8> by = halves(C[j*nLanes + l], rj);
                         first.columns[j] += by*sums[l];
-                        rowAt<8>(Cb + j*sC) += by*(sign*sums[l]);
+                        rowAt<8>(Cb + j*sA) += by*(sign*sums[l]);
                     }
                     else
                     {
                         const row<4> f = force[l]*(-0.5*rj);
                         first.columns[j] += f;
-                        rowAt<4>(Cb + j*sC) += f;
+                        rowAt<4>(Cb + j*sA) += f;
                     }
                 }
                 constexpr row<8> sign = {-1, -1, -1, -1, 1, 1, 1, 1};
@@ -329,8 +329,8 @@ label variationalKernelTemplate<D, finite>::correctLoop
                 {
                     for (int i = 0; i < D; ++i)
                     {
-                        toA[j*sC + i] = out[i]*laneAt(C, j);
-                        toA[j*sC + second + i] = out[D + i]*laneAt(r, j);
+                        toA[j*sA + i] = out[i]*laneAt(C, j);
+                        toA[j*sA + second + i] = out[D + i]*laneAt(r, j);
                     }
                 }
                 rowsOf(columns, toA);
@@ -355,11 +355,11 @@ label variationalKernelTemplate<D, finite>::correctLoop
                 }
                 else
                 {
-                    const row<4> column =
-                        row<4>{f[2], f[3], f[2], f[3]}
-                       *row<4>{r[l], r[l], r[nLanes + l], r[nLanes + l]};
+                    const row<8> column =
+                        picked<2, 3, 8, 8, 2, 3, 8, 8>(f)
+                       *halves(r[l], r[nLanes + l]);
                     first.columns[0] += column;
-                    rowAt<4>(correction + b*sT) += column;
+                    rowAt<8>(correction + b*sT) += column;
                 }
                 first.other += f;
                 rowAt<8>(sensor + b*sS) += forceSign*f;
@@ -397,8 +397,8 @@ label variationalKernelTemplate<D, finite>::correctLoop
                 rowAt<2>(sensor + b*sS) += rowAt<2>(f);
                 if constexpr (corrects)
                 {
-                    correction[a] += f[2];
-                    correction[b] -= f[2];
+                    correction[a*sT] += f[2];
+                    correction[b*sT] -= f[2];
                 }
             }
         }

@@ -111,7 +111,6 @@ void variationalKernelTemplate<D, finite>::fluxLoop
     const bool stretched = d.waveFactor.size();
     const auto begin = [&](const index a)
     {
-        zeroAt<sA*D>(adjoint + a*D*sA);
         (D == 2 ? U[a*sU] : sensor[a*sS + atSquares + 3]) =
             stretched ? -factors[a] : -1;
     };
@@ -126,6 +125,7 @@ void variationalKernelTemplate<D, finite>::fluxLoop
             if constexpr (moves && D == 3) prefetch<nP>(H + a*nP);
             prefetch<4>(sensor + a*sS + atSquares);
             prefetch<sR>(rates + a*sR);
+            prefetch<sA*D>(adjoint + a*D*sA);
             begin(a);
         });
         const label* ends = block.nodes();

@@ -44,13 +44,8 @@ Foam::variationalData::variationalData
     reach(inBlocks(d, d.nDim())),
     motion(inBlocks(d, variationalLayout::motionOf(d.nDim()))),
     U(d.nNodes()*variationalLayout::strideU(d.nDim())),
-    rush(d.nNodes()*variationalLayout::strideRush(d.nDim())),
     grad(d.nNodes()*d.nDim()*variationalLayout::strideColumn(d.nDim())),
     inverse(d.finiteStrain ? d.nNodes()*d.nDim()*d.nDim() : 0, Zero),
-    correction
-    (
-        d.nNodes()*d.nDim()*variationalLayout::strideC(d.nDim(), beta > 0)
-    ),
     sensor(d.nNodes()*variationalLayout::strideSensor(d.nDim())),
     perEdges(d.nNodes(), Zero),
     perV(d.nNodes()),
@@ -101,6 +96,13 @@ Foam::variationalData::variationalData
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::variationalData::setLate(const labelList& nodes, const label nDim)
+{
+    lateNodes = nodes;
+    lateJumps.setSize(nodes.size()*variationalLayout::strideJump(nDim), Zero);
+}
+
 
 void Foam::variationalData::addPairs(const dualPatch& patch, const label nDim)
 {
@@ -187,9 +189,9 @@ std::size_t Foam::variationalData::bytes() const
       + sizeof(scalar)
        *std::size_t
         (
-            pairArea.size() + reach.size() + motion.size() + rush.size()
+            pairArea.size() + reach.size() + motion.size()
           + waves.size() + U.size() + grad.size() + inverse.size()
-          + area.size() + correction.size() + sensor.size() + perEdges.size()
+          + area.size() + lateJumps.size() + sensor.size() + perEdges.size()
           + perV.size() + smoothing.size()
           + 2*acceleration.size() + jumpStiffness.size()
           + adjoint.size() + jacobian.size() + average.size()

@@ -99,7 +99,7 @@ label variationalKernelTemplate<D, finite>::move
             storeThree(disp + k, next);
             storeThree(oldRush + k, threeAt(rush + k));
             storeThree(rush + k, acceleration);
-            nBad += collectNode3(d, x, a, next, v, acceleration);
+            nBad += collectNode3(d, x, a, next, v);
         }
         return nBad;
     }
@@ -137,7 +137,12 @@ label variationalKernelTemplate<D, finite>::kinematics
 ) const
 {
     label nBad = 0;
-    for (const label a : x.lateNodes) nBad += !moveNode(d, x, a);
+    forAll(x.lateNodes, late)
+    {
+        nBad += !moveNode(d, x, x.lateNodes[late]);
+        takeJumps(x, x.lateNodes[late]);
+        setJumpsAside(x, late);
+    }
     return nBad;
 }
 
@@ -204,7 +209,11 @@ void variationalKernelTemplate<D, finite>::stresses
     const vertexData& d
 ) const
 {
-    for (const label a : x.lateNodes) stressNode(x, d, a);
+    forAll(x.lateNodes, late)
+    {
+        addJumps(x, late);
+        stressNode(x, d, x.lateNodes[late]);
+    }
 }
 
 

@@ -28,13 +28,9 @@ inline label variationalKernelTemplate<D, finite>::collectNode
     const scalar perRho = 1/d.rho;
     const scalar* lm = d.state.lm.cdata() + a*D;
     const scalar* disp = d.state.disp.cdata() + a*D;
-    const scalar* rush = x.acceleration.cdata() + a*D;
     if constexpr (D == 3)
     {
-        return collectNode3
-        (
-            d, x, a, threeAt(disp), perRho*threeAt(lm), threeAt(rush)
-        );
+        return collectNode3(d, x, a, threeAt(disp), perRho*threeAt(lm));
     }
     else
     {
@@ -47,7 +43,7 @@ inline label variationalKernelTemplate<D, finite>::collectNode
             nBad += !(mag(v) < VGREAT);
             U[i] = disp[i];
             U[second + i] = W[i] = v;
-            if constexpr (D == 2) U[2*D + i] = rush[i];
+            if constexpr (D == 2) U[2*D + i] = x.acceleration[a*D + i];
         }
         return nBad;
     }
@@ -61,12 +57,10 @@ inline label variationalKernelTemplate<D, finite>::collectNode3
     variationalData& x,
     const index a,
     const row<4>& disp,
-    const row<4>& v,
-    const row<4>& rush
+    const row<4>& v
 )
 {
     rowAt<8>(x.U.data() + a*sU) = joined(disp, v);
-    rowAt<4>(x.rush.data() + a*variationalLayout::strideRush(3)) = rush;
     storeThree(d.W.data() + a*d.strideW, v);
     const auto good = (v < VGREAT) & (v > -VGREAT);
     return 4 + label(good[0] + good[1] + good[2] + good[3]);
@@ -175,6 +169,77 @@ inline void variationalKernelTemplate<D, finite>::takeForce
 
 
 template<int D, bool finite>
+inline void variationalKernelTemplate<D, finite>::takeJumps
+(
+    variationalData& x,
+    const index a
+)
+{
+    scalar* c = x.adjoint.data() + a*D*sA;
+    if constexpr (D == 1)
+    {
+        zeroAt<sA>(c);
+    }
+    else if (x.beta > 0)
+    {
+        if constexpr (D == 2)
+        {
+            rowAt<8>(c) = picked<2, 3, 8, 8, 6, 7, 8, 8>(rowAt<8>(c));
+        }
+        else
+        {
+            for (int j = 0; j < D; ++j)
+            {
+                rowAt<8>(c + j*sA) =
+                    joined(rowAt<4>(c + j*sA + second), row<4>{});
+            }
+        }
+    }
+}
+
+
+template<int D, bool finite>
+inline void variationalKernelTemplate<D, finite>::setJumpsAside
+(
+    variationalData& x,
+    const label late
+)
+{
+    scalar* c = x.adjoint.data() + index(x.lateNodes[late])*D*sA;
+    if constexpr (D > 1)
+    {
+        scalar* jumps =
+            x.lateJumps.data() + late*variationalLayout::strideJump(D);
+        for (int j = 0; j < D; ++j)
+        {
+            for (int i = 0; i < D; ++i) jumps[j*second + i] = c[j*sA + i];
+        }
+    }
+    zeroAt<D*sA>(c);
+}
+
+
+template<int D, bool finite>
+inline void variationalKernelTemplate<D, finite>::addJumps
+(
+    variationalData& x,
+    const label late
+)
+{
+    if constexpr (D > 1)
+    {
+        scalar* T = x.adjoint.data() + index(x.lateNodes[late])*D*sA;
+        const scalar* jumps =
+            x.lateJumps.cdata() + late*variationalLayout::strideJump(D);
+        for (int j = 0; j < D; ++j)
+        {
+            for (int i = 0; i < D; ++i) T[j*sA + i] += jumps[j*second + i];
+        }
+    }
+}
+
+
+template<int D, bool finite>
 inline bool variationalKernelTemplate<D, finite>::moveNode
 (
     vertexData& d,
@@ -187,8 +252,7 @@ inline bool variationalKernelTemplate<D, finite>::moveNode
     scalar* sensor = x.sensor.data() + a*sS;
     const row<4> squares = rowAt<4>(sensor + atSquares)*x.perEdges[a];
     const scalar* g = x.grad.cdata() + a*D*sA;
-    constexpr int sC = variationalLayout::strideC(D, true);
-    const scalar* c = x.correction.cdata() + a*D*sC;
+    const scalar* c = x.adjoint.cdata() + a*D*sA;
     if constexpr (D == 2)
     {
         row<8> sum = rowAt<8>(g);
@@ -204,7 +268,7 @@ inline bool variationalKernelTemplate<D, finite>::moveNode
         for (int j = 0; j < D; ++j)
         {
             f[j] = rowAt<4>(g + j*sA);
-            if (x.beta > 0) f[j] += perV*rowAt<4>(c + j*sC);
+            if (x.beta > 0) f[j] += perV*rowAt<4>(c + j*sA);
         }
         f[0] += row<4>{1, 0, 0, 0};
         f[1] += row<4>{0, 1, 0, 0};
@@ -259,23 +323,12 @@ inline void variationalKernelTemplate<D, finite>::stressNode
     const scalar* P =
         d.W.cdata() + d.offsetP()
       + a*(D == 2 ? sW2 : d.strideW);
-    const index sC = variationalLayout::strideC(D, x.beta > 0);
     const scalar perV = x.perV[a];
     scalar* T = x.adjoint.data() + a*D*sA;
     if constexpr (D == 2)
     {
-        // Each row both columns; without the jumps' columns if beta = 0
+        // Each row both columns
         row<8> sum = rowAt<8>(T);
-        const row<8> jump =
-            x.beta > 0
-          ? picked<2, 3, 8, 8, 6, 7, 8, 8>
-            (
-                rowAt<8>(x.correction.cdata() + a*8)
-            )
-          : picked<0, 1, 8, 8, 2, 3, 8, 8>
-            (
-                joined(rowAt<4>(x.correction.cdata() + a*4), row<4>{})
-            );
         if constexpr (finite)
         {
             // Z (G x)^-T
@@ -290,13 +343,10 @@ inline void variationalKernelTemplate<D, finite>::stressNode
         }
         rowAt<8>(T) =
             picked<0, 1, 8, 8, 2, 3, 8, 8>(joined(rowAt<4>(P), row<4>{}))
-          + perV*(sum + jump);
+          + perV*sum;
     }
     else if constexpr (D == 3)
     {
-        const scalar* jump =
-            x.correction.cdata() + a*D*sC
-          + variationalLayout::atJump(D, x.beta > 0);
         row<4> Z[D] = {};
         for (int k = 0; k < D; ++k)
         {
@@ -314,9 +364,11 @@ inline void variationalKernelTemplate<D, finite>::stressNode
         }
         for (int j = 0; j < D; ++j)
         {
-            const row<4> X = rowAt<4>(T + j*sA) + rowAt<4>(jump + j*sC);
-            rowAt<8>(T + j*sA) =
-                joined(threeOf(rowAt<4>(P + j*D)) + perV*X, perV*Z[j]);
+            rowAt<8>(T + j*sA) = joined
+            (
+                threeOf(rowAt<4>(P + j*D)) + perV*rowAt<4>(T + j*sA),
+                perV*Z[j]
+            );
         }
     }
     else

@@ -187,7 +187,7 @@ Foam::variationalScheme::variationalScheme
     x_.joinPairs(dual_.nDim());
     labelHashSet late(dual_.sharing().sharedNodes());
     late.insert(symmetry_.nodes());
-    x_.lateNodes = late.sortedToc();
+    x_.setLate(late.sortedToc(), dual_.nDim());
     boundFrequencies();
 }
 
@@ -199,7 +199,6 @@ Foam::label Foam::variationalScheme::deform()
 {
     const label d = dual_.nDim();
     const label sA = variationalLayout::strideColumn(d);
-    const label sC = variationalLayout::strideC(d, x_.beta > 0);
     const label sS = variationalLayout::strideSensor(d);
 
     typedef passTimes times;
@@ -230,11 +229,11 @@ Foam::label Foam::variationalScheme::deform()
     });
     times::timed(times::processors, [&]
     {
-        if (sC)
+        if (d > 1 || x_.beta > 0)
         {
             dual_.sharing().sum
             (
-                {{x_.correction.data(), d*sC}, {x_.sensor.data(), sS}}
+                {{x_.adjoint.data(), d*sA}, {x_.sensor.data(), sS}}
             );
         }
         else
@@ -244,12 +243,12 @@ Foam::label Foam::variationalScheme::deform()
     });
     nBad += times::timed(times::kinematics, [&]
     {
-        if (x_.beta > 0) completeTensors(x_.correction.data(), d*sC, sC, 0);
+        if (x_.beta > 0) completeTensors(x_.adjoint.data(), d*sA, sA, 0);
         if (d > 1)
         {
             completeTensors
             (
-                x_.correction.data(), d*sC, sC,
+                x_.adjoint.data(), d*sA, sA,
                 variationalLayout::atJump(d, x_.beta > 0)
             );
         }
