@@ -7,10 +7,8 @@ import shutil
 
 import pytest
 
-import searchPath     # first: it has the folders of what is imported below
+from vertexContactTests import caseTools, slowTests
 
-import caseTools
-import slowTests
 
 class Figures:
     """Measured figures of an acceptance item, each with its limit. All are

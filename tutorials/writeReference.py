@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
-import readResults
+from vertexContactCases import readResults
 
 
 def main(case, file, comment, direction="x", rows=401):

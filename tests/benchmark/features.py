@@ -13,18 +13,16 @@ from before they were there, which is built.
 import argparse
 import re
 import subprocess
-import sys
 import tempfile
 from pathlib import Path
 
-here = Path(__file__).resolve().parent
-sys.path.insert(0, str(Path(__file__).resolve().parents[1]/"tools"))
-import searchPath
-
 import numpy as np
 
-from caseTools import checked, root
-from smallCases import Body, SmallCase, condition, coulomb, interface
+from vertexContactTests.caseTools import checked, root
+from vertexContactTests.smallCases import (Body, SmallCase, condition, coulomb,
+                                           interface)
+
+here = Path(__file__).resolve().parent
 
 STEPS = 40
 NEO = {"type": "neoHookean", "rho": 1, "E": 1, "nu": 0.3}

@@ -16,12 +16,10 @@ import sys
 import tempfile
 from pathlib import Path
 
+from vertexContactTests.smallCases import Body, SmallCase
+
 here = Path(__file__).resolve().parent
 root = here.parents[1]
-sys.path.insert(0, str(Path(__file__).resolve().parents[1]/"tools"))
-import searchPath
-
-from smallCases import Body, SmallCase
 
 MATERIAL = {"type": "neoHookean", "rho": 1000, "E": 1e6, "nu": 0.3}
 SQUARES = (4, 10, 32)       # on a side of the grid

@@ -19,15 +19,13 @@ import sys
 import tempfile
 from pathlib import Path
 
-here = Path(__file__).resolve().parent
-root = here.parents[1]
-sys.path.insert(0, str(Path(__file__).resolve().parents[1]/"tools"))
-import searchPath
-
 import numpy as np
 
-from caseTools import checked
-from smallCases import Body, SmallCase
+from vertexContactTests.caseTools import checked
+from vertexContactTests.smallCases import Body, SmallCase
+
+here = Path(__file__).resolve().parent
+root = here.parents[1]
 
 ELASTIC = {"rho": 1, "E": 1, "nu": 0.3}
 MATERIALS = {
@@ -154,7 +152,7 @@ def table(rows):
 def elements():
     """µs per node and step of the plain finite elements, hexahedra and
     quadrangles."""
-    import peers
+    from vertexContactTests.trade import peers
     lines = ["| plain finite elements | nodes | µs per node and step |",
              "|---|---|---|"]
     with tempfile.TemporaryDirectory() as folder:

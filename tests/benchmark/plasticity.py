@@ -14,13 +14,10 @@ import sys
 import tempfile
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1]/"tools"))
-import searchPath
-
 import numpy as np
 
-from caseTools import checked
-from smallCases import Body, SmallCase
+from vertexContactTests.caseTools import checked
+from vertexContactTests.smallCases import Body, SmallCase
 
 ELASTIC = {"rho": 1, "E": 1, "nu": 0.3}
 MATERIALS = {

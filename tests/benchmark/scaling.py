@@ -18,13 +18,10 @@ import sys
 import tempfile
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1]/"tools"))
-import searchPath
-
 import numpy as np
 from foamlib import FoamFile
 
-from smallCases import RUBBER, Body, SmallCase
+from vertexContactTests.smallCases import RUBBER, Body, SmallCase
 
 RATE = np.diag((0.1, -0.05, -0.05))
 NETWORK = 2e-6, 10e9        # assumed: latency [s] and bandwidth [bytes/s]

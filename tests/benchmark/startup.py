@@ -16,11 +16,9 @@ import tempfile
 import time
 from pathlib import Path
 
-here = Path(__file__).resolve().parent
-sys.path.insert(0, str(Path(__file__).resolve().parents[1]/"tools"))
-import searchPath
+from vertexContactTests.smallCases import RUBBER, Body, SmallCase, interface
 
-from smallCases import RUBBER, Body, SmallCase, interface
+here = Path(__file__).resolve().parent
 
 CONTROL = {"preset": "balanced", "adjustTimeStep": "no", "functions": {},
            "writeControl": "none", "timePrecision": 12, "deltaT": 1e-5,

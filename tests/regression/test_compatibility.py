@@ -8,9 +8,8 @@ import re
 
 import pytest
 
-import checkRelease
-from caseTools import checked, execute, root
-
+from vertexContactTests import checkRelease
+from vertexContactTests.caseTools import checked, execute, root
 
 LIBRARY = "src/vertexContact"
 HEADER = f"{LIBRARY}/include/compat.H"

@@ -7,9 +7,10 @@ import shutil
 
 import pytest
 
-from caseTools import DEFAULT, Case, timeFolders
-from fieldReferences import DEFAULTS, FILE, NAMES, REFERENCES, norms
-from smallCases import largest
+from vertexContactTests.caseTools import DEFAULT, Case, timeFolders
+from vertexContactTests.fieldReferences import (DEFAULTS, FILE, NAMES,
+                                                REFERENCES, norms)
+from vertexContactTests.smallCases import largest
 
 DECOMPOSITIONS = ((2, "metis"), (3, "random"), (4, "metis"))
 AMPLIFIED = ("nearlyIncompressibleBars", "nonMatchingBars", "shallowIroning",

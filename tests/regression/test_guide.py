@@ -5,8 +5,8 @@ import re
 import pytest
 from PIL import Image
 
-from caseTools import DEFAULT, checked, root
-from smallCases import GmshBody, SmallCase
+from vertexContactTests.caseTools import DEFAULT, checked, root
+from vertexContactTests.smallCases import GmshBody, SmallCase
 
 GUIDE = root/"tutorials"/"README.md"
 BLOCKS = re.findall(r"(?ms)^```sh\n(.*?)^```$", GUIDE.read_text())

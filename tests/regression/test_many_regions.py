@@ -7,9 +7,10 @@ import shutil
 import numpy as np
 import pytest
 
-from caseTools import (DEFAULT, Case, checked, contents, differingFiles,
-                       execute, timeFolders)
-from smallCases import RUBBER, Body, SmallCase, condition, coulomb
+from vertexContactTests.caseTools import (DEFAULT, Case, checked, contents,
+                                          differingFiles, execute, timeFolders)
+from vertexContactTests.smallCases import (RUBBER, Body, SmallCase, condition,
+                                           coulomb)
 
 STIFF = {**RUBBER, "E": 4}
 NAMES = "b1", "b2", "b3"

@@ -5,7 +5,7 @@ import ast
 import json
 import re
 
-from caseTools import root
+from vertexContactTests.caseTools import root
 
 ETC = root/"etc"
 README = re.sub(r"\s+", " ", (root/"README.md").read_text())

@@ -5,9 +5,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from caseTools import DEFAULT, Scene
-from collisions import SCENES as COLLISIONS, collision
-from smallCases import largest
+from vertexContactTests.caseTools import DEFAULT, Scene
+from vertexContactTests.collisions import SCENES as COLLISIONS, collision
+from vertexContactTests.smallCases import largest
 
 LINE = Scene("similar", elements=128, preset=DEFAULT,
              control=(("writeInterval", 0.1),))

@@ -8,10 +8,11 @@ import numpy as np
 import pytest
 from PIL import Image
 
-import caseTools
-from caseTools import TUTORIALS, Case, checked, coarse, timeFolders
-from readFields import Reader, deformed
-from renderCase import Scene
+from vertexContactCases.readFields import Reader, deformed
+from vertexContactCases.renderCase import Scene
+from vertexContactTests import caseTools
+from vertexContactTests.caseTools import (TUTORIALS, Case, checked, coarse,
+                                          timeFolders)
 
 SHORT = 1/20        # of the run that a user sees
 VTK_ORDER = [0, 3, 5, 1, 4, 2]      # XX YY ZZ XY YZ XZ

@@ -7,8 +7,8 @@ import re
 
 import pytest
 
-from caseTools import checked, copyTutorials, root
-from fieldReferences import TUTORIALS
+from vertexContactTests.caseTools import checked, copyTutorials, root
+from vertexContactTests.fieldReferences import TUTORIALS
 
 README = (root/"README.md").read_text()
 TOUR = re.findall(r"(?ms)^```sh\n(.*?)^```$", README)

@@ -5,9 +5,10 @@ import shutil
 import numpy as np
 import pytest
 
-from caseTools import (DEFAULT, Case, Scene, checked, contents,
-                       differingFiles, runAgain, timeFolders)
-from collisions import END, SCENES as COLLISIONS, collision
+from vertexContactTests.caseTools import (DEFAULT, Case, Scene, checked,
+                                          contents, differingFiles, runAgain,
+                                          timeFolders)
+from vertexContactTests.collisions import END, SCENES as COLLISIONS, collision
 
 SCENES = {
     "1D": Scene("dissimilar", elements=64, preset=DEFAULT,

@@ -9,7 +9,8 @@ import time
 
 import pytest
 
-from caseTools import TUTORIALS, checked, copyTutorials, execute, root
+from vertexContactTests.caseTools import (TUTORIALS, checked, copyTutorials,
+                                          execute, root)
 
 CASE = "twoBarImpact/similar"
 SETTINGS = {"MESH": "32", "PLOT": "0"}
@@ -184,3 +185,19 @@ def test_module_arguments(tmp_path, arguments, variables, code, reason):
     done = execute([str(root/"Allwmake"), *arguments], tmp_path, **variables)
     assert done.returncode == code
     assert reason in done.stdout.splitlines()[-1]
+
+
+# Where Python finds its packages
+
+def test_python_path(tmp_path):
+    """Once, however often etc/bashrc is sourced, before what was there; of
+    another checkout that was sourced before nothing is left."""
+    output = checked(
+        ["bash", "-euc", f". {root}/etc/bashrc; . {root}/etc/bashrc; "
+         'echo "$PYTHONPATH"; python3 -c "import vertexContactCases, '
+         'vertexContactTests; print(vertexContactTests.__file__)"'],
+        tmp_path, VERTEXCONTACT_DIR="/other",
+        PYTHONPATH="/mine:/other/tests:/other/tutorials:/yours")
+    path, file = output.splitlines()[-2:]
+    assert path == f"{root}/tutorials:{root}/tests:/mine:/yours"
+    assert file == f"{root}/tests/vertexContactTests/__init__.py"

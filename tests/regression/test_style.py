@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
-import slowTests
-from caseTools import execute, root
+from vertexContactTests import slowTests
+from vertexContactTests.caseTools import execute, root
 
 SOURCE = root/"src"/"vertexContact"
 HEAD = "/*" + 75*"-" + """*\\
@@ -51,10 +51,10 @@ def where(files, bad):
 
 # Scripts
 
-def isScript(file):
+def isScript(file, interpreter=rb"(ba)?sh"):
     with open(file, "rb") as stream:
         start = stream.read(4000)
-    return (re.match(rb"#! *\S*/(env )?(ba)?sh\b", start)
+    return (re.match(rb"#! *\S*/(env )?" + interpreter + rb"\b", start)
             or re.search(rb"(?m)^# shellcheck shell=", start))
 
 
@@ -157,7 +157,7 @@ def quoted(cell):
 
 def paths(token):
     """The files and folders that a token can mean: by path, or by name."""
-    for top in SOURCE, root, root/"tests"/"tools":
+    for top in SOURCE, root, root/"tests"/"vertexContactTests":
         if (top/token).exists():
             return [top/token]
     if re.fullmatch(r"\w+\.[CH]", token):
@@ -270,29 +270,18 @@ def test_guide():
 
 # Python
 
-# What a script may do to find the modules of tests/tools
-PATH = re.compile(r'sys\.path\.insert\(0, str\(Path\(__file__\)\.resolve\(\)'
-                  r'\.parents\[\d\]/"tools"\)\)')
-
-
 def test_one_search_path():
-    """The folders of modules stand in tests/tools/searchPath.py only. Tests
-    change no search path, and import nothing from each other."""
-    python = [file for file in FILES if file.suffix == ".py"
-              and file.is_relative_to(root/"tests")]
-    assert len(python) > 50
-    scripts = [file for file in python if not file.name.startswith("test_")
-               and file.name != "searchPath.py"]
-    tests = [file for file in python if file.name.startswith("test_")]
-    edit = re.compile(r"^\s*sys\.path\b")
-    assert where(scripts, lambda line: edit.match(line)
-                 and not PATH.match(line)) == []
-    assert where(tests, lambda line: edit.match(line) or re.match(
-        r"\s*(from|import) test_", line)) == []
+    """Modules are found by PYTHONPATH, which etc/bashrc sets: no file edits the
+    path, and tests import nothing from each other."""
+    python = [file for file in FILES
+              if file.suffix == ".py" or isScript(file, rb"python3")]
+    assert len(python) > 100 and root/"tutorials"/"makePictures" in python
+    assert where(python, lambda line: re.match(
+        r"\s*(sys\.path\b|(from|import) test_)", line)) == []
 
 
 def test_slow_tests_are_there():
-    """What tests/Alltest -quick leaves out, by tests/tools/slowTests.txt."""
+    """What tests/Alltest -quick leaves out, by slowTests.txt."""
     for name in sorted(slowTests.names()):
         file, function = name.split("::")
         assert f"def {function}(" in (root/"tests"/file).read_text(), name

@@ -4,8 +4,8 @@ import shutil
 
 import pytest
 
-from caseTools import (TUTORIALS, checked, coarse, copyTutorials, execute,
-                       root)
+from vertexContactTests.caseTools import (TUTORIALS, checked, coarse,
+                                          copyTutorials, execute, root)
 
 FAULTY = "twoBarImpact/similar"     # the tutorial of the tests of failures
 

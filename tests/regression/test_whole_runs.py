@@ -4,9 +4,9 @@ that opens and closes hundreds of times, or by a sensor that switches."""
 
 import pytest
 
-from caseTools import DEFAULT, Tutorial, timeFolders
-from fieldReferences import TUTORIALS
-from smallCases import largest
+from vertexContactTests.caseTools import DEFAULT, Tutorial, timeFolders
+from vertexContactTests.fieldReferences import TUTORIALS
+from vertexContactTests.smallCases import largest
 
 # Those in which surfaces move along each other, or which yield
 CHOSEN = [(path, mesh, tuple(options.items()))

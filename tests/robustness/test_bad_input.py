@@ -5,8 +5,8 @@ import shutil
 
 import pytest
 
-import caseTools
-from caseTools import Case, Scene, execute, timeFolders
+from vertexContactTests import caseTools
+from vertexContactTests.caseTools import Case, Scene, execute, timeFolders
 
 
 @pytest.fixture(scope="module")

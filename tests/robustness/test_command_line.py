@@ -6,9 +6,10 @@ import shutil
 
 import pytest
 
-import caseTools
-from caseTools import DEFAULT, checked, execute
-from smallCases import ELASTIC, Body, SmallCase, condition, interface
+from vertexContactTests import caseTools
+from vertexContactTests.caseTools import DEFAULT, checked, execute
+from vertexContactTests.smallCases import (ELASTIC, Body, SmallCase, condition,
+                                           interface)
 
 LISTS = {"listMaterials", "listStartFields", "listContactLaws",
          "listPairings", "listBoundaryConditions", "listBodyForces",

@@ -13,8 +13,8 @@ from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 
-from caseTools import DEFAULT, Case
-from collisions import collision
+from vertexContactTests.caseTools import DEFAULT, Case
+from vertexContactTests.collisions import collision
 
 COUNT = int(os.environ.get("FUZZ", 500))
 SEED = int(os.environ.get("SEED", 1))

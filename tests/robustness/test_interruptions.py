@@ -14,10 +14,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from caseTools import (DEFAULT, PRESET, Case, checked, rankFolders, solver,
-                       timeFolders, timeLimit)
-from collisions import collision
-from smallCases import RUBBER, Body, SmallCase
+from vertexContactTests.caseTools import (DEFAULT, PRESET, Case, checked,
+                                          rankFolders, solver, timeFolders,
+                                          timeLimit)
+from vertexContactTests.collisions import collision
+from vertexContactTests.smallCases import RUBBER, Body, SmallCase
 
 INTERVALS = 40
 NAME = "friction, nearestFace"

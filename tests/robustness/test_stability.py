@@ -5,11 +5,14 @@ too."""
 
 import pytest
 
-from stability.free import aspect, release, sliver, spin, step, vibration
-from stability.impacts import (PAPER, collision, cradle, faces, gap, impedance,
-                               mach, paper, pressed, single, units)
-from stability.judge import STABLE
-from stability.resting import friction, settling
+from vertexContactTests.stability.free import (aspect, release, sliver, spin,
+                                               step, vibration)
+from vertexContactTests.stability.impacts import (PAPER, collision, cradle,
+                                                  faces, gap, impedance, mach,
+                                                  paper, pressed, single,
+                                                  units)
+from vertexContactTests.stability.judge import STABLE
+from vertexContactTests.stability.resting import friction, settling
 
 SCENES = {
     **{f"nu {nu}": (collision, {"nu": nu}) for nu in (0.3, 0.4999)},

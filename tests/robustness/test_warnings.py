@@ -4,12 +4,12 @@ cannot go on."""
 import numpy as np
 import pytest
 
-from caseTools import DEFAULT, PRESET
-from smallCases import (ELASTIC, RUBBER, Body, SmallCase, condition, coulomb,
-                        interface)
-from stability.free import rubber
-from stability.impacts import bar, ends, mach, outer
-from stability.judge import STOPPED
+from vertexContactTests.caseTools import DEFAULT, PRESET
+from vertexContactTests.smallCases import (ELASTIC, RUBBER, Body, SmallCase,
+                                           condition, coulomb, interface)
+from vertexContactTests.stability.free import rubber
+from vertexContactTests.stability.impacts import bar, ends, mach, outer
+from vertexContactTests.stability.judge import STOPPED
 
 LAWS = {"linearElastic": ELASTIC, "neoHookean": RUBBER,
         "HenckyVonMises": {**RUBBER, "type": "HenckyVonMises", "tauY": 10}}

@@ -4,8 +4,8 @@ finite element dynamic Signorini problem, SIAM J. Sci. Comput. 33 (2011)."""
 
 import numpy as np
 
-from caseTools import DEFAULT
-from smallCases import Body, SmallCase
+from vertexContactTests.caseTools import DEFAULT
+from vertexContactTests.smallCases import Body, SmallCase
 
 # Of the paper: c = 30 m/s, waves go there and back in 2/3 s
 LENGTH, RHO, E, HEIGHT = 10, 1, 900, 5

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 import pyvista
 
-from caseTools import execute
-from smallCases import Body, SmallCase, interface, largest
+from vertexContactTests.caseTools import execute
+from vertexContactTests.smallCases import Body, SmallCase, interface, largest
 
 NUMBER = r"-?\d[-+.e\d]*"
 

@@ -4,10 +4,11 @@ the reactions of all patches that hold nodes."""
 import numpy as np
 import pytest
 
-import readResults
-from caseTools import DEFAULT, differingFiles, runAgain
-from smallCases import (RUBBER, Body, SmallCase, condition, interface,
-                        largest, smooth, table)
+from vertexContactCases import readResults
+from vertexContactTests.caseTools import DEFAULT, differingFiles, runAgain
+from vertexContactTests.smallCases import (RUBBER, Body, SmallCase, condition,
+                                           interface, largest, smooth, table)
+
 
 def reactionsOf(case):
     return readResults.table(case.path, "reactionForces", "reactions.dat")

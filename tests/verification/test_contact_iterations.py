@@ -4,11 +4,11 @@ own forces make."""
 import numpy as np
 import pytest
 
-from contactScenes import (END, PLACES, difference, solve, solveOn, squares,
-                           toolAndBlock)
-from defaultCases import CLAMPED, defaultCase
-from smallCases import (FLOOR, Body, GmshBody, SmallCase, condition, coulomb,
-                        interface)
+from vertexContactTests.contactScenes import (END, PLACES, difference, solve,
+                                              solveOn, squares, toolAndBlock)
+from vertexContactTests.defaultCases import CLAMPED, defaultCase
+from vertexContactTests.smallCases import (FLOOR, Body, GmshBody, SmallCase,
+                                           condition, coulomb, interface)
 
 
 def pressed(folder, iterations):

@@ -6,8 +6,9 @@ from math import erf
 import numpy as np
 import pytest
 
-from smallCases import (ELASTIC, RUBBER, Body, SmallCase, condition, coulomb,
-                        distorted, interface, largest)
+from vertexContactTests.smallCases import (ELASTIC, RUBBER, Body, SmallCase,
+                                           condition, coulomb, distorted,
+                                           interface, largest)
 
 CLAMP = condition("fixedVelocity", velocity=(0, 0, 0))
 

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 
-import caseTools
-from caseTools import checked, timeFolders
-from smallCases import Body, SmallCase, condition, distorted
+from vertexContactTests import caseTools
+from vertexContactTests.caseTools import checked, timeFolders
+from vertexContactTests.smallCases import Body, SmallCase, condition, distorted
 
 SCHEMES = {"default": {}, "linear": {"reconstruction": "linear"},
            "unlimited": {"limiter": "none"},

@@ -4,8 +4,8 @@ spheres."""
 import numpy as np
 import pytest
 
-import hertzChain
-from caseTools import DEFAULT, Tutorial, rise
+from vertexContactCases import hertzChain
+from vertexContactTests.caseTools import DEFAULT, Tutorial, rise
 
 CRADLE = {mesh: Tutorial("newtonsCradle", mesh, preset=DEFAULT)
           for mesh in ("2", "I")}

@@ -6,9 +6,10 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 
-from caseTools import DEFAULT
-from smallCases import (Body, SmallCase, condition, friction, interface,
-                        largest, polar, smooth, table)
+from vertexContactTests.caseTools import DEFAULT
+from vertexContactTests.smallCases import (Body, SmallCase, condition,
+                                           friction, interface, largest, polar,
+                                           smooth, table)
 
 INNER, MIDDLE, OUTER = 1, 1.5, 2    # radii
 CONTROL = {"maxCo": 0.9}

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-import heap
-from caseTools import DEFAULT, Tutorial, rise
+from vertexContactCases import heap
+from vertexContactTests.caseTools import DEFAULT, Tutorial, rise
 
 DISCS = Tutorial("hundredDiscs", "2", preset=DEFAULT,
                  control=(("writeInterval", 0.2),))

@@ -4,9 +4,9 @@ that is rigid."""
 import numpy as np
 import pytest
 
-import bumperModel
-from caseTools import DEFAULT, Tutorial
-from readResults import table
+from vertexContactCases import bumperModel
+from vertexContactCases.readResults import table
+from vertexContactTests.caseTools import DEFAULT, Tutorial
 
 DROP = "dropTest"
 ELASTIC, RIGID = (

@@ -6,8 +6,8 @@ from dataclasses import astuple
 import numpy as np
 import pytest
 
-import caseTools
-from exactSolution import Bar, TwoBarImpact
+from vertexContactCases.exactSolution import Bar, TwoBarImpact
+from vertexContactTests import caseTools
 
 right = Bar(start=10.01, length=10, E=100, rho=0.01, velocity=0)
 

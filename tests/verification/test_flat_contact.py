@@ -4,10 +4,10 @@ what is transmitted over a gap is told apart from closed contact."""
 import numpy as np
 import pytest
 
-from caseTools import DEFAULT
-from contactScenes import rigid
-from smallCases import (ELASTIC, FLOOR, Body, SmallCase, condition, interface,
-                        slowly)
+from vertexContactTests.caseTools import DEFAULT
+from vertexContactTests.contactScenes import rigid
+from vertexContactTests.smallCases import (ELASTIC, FLOOR, Body, SmallCase,
+                                           condition, interface, slowly)
 
 SOFT = {"type": "neoHookean", "rho": 1, "E": 1, "nu": 0.3}
 STEEL = {"type": "neoHookean", "rho": 8, "E": 200, "nu": 0.3}

@@ -4,9 +4,10 @@ Prandtl's half space does."""
 import numpy as np
 import pytest
 
-import prandtl
-from caseTools import DEFAULT, Tutorial
-from readResults import probe
+from vertexContactCases import prandtl
+from vertexContactCases.readResults import probe
+from vertexContactTests.caseTools import DEFAULT, Tutorial
+
 
 def impulse(times, F, at):
     """Integral of a force from the start to some times."""

@@ -6,9 +6,10 @@ import shutil
 import numpy as np
 import pytest
 
-from caseTools import DEFAULT, checked
-from smallCases import (ELASTIC, FLOOR, RUBBER, Body, SmallCase, condition,
-                        coulomb, interface, largest, slowly)
+from vertexContactTests.caseTools import DEFAULT, checked
+from vertexContactTests.smallCases import (ELASTIC, FLOOR, RUBBER, Body,
+                                           SmallCase, condition, coulomb,
+                                           interface, largest, slowly)
 
 CLAMP = condition("fixedVelocity", velocity=(0, 0, 0))
 HEIGHT, WEIGHT = 0.5, 0.02

@@ -2,10 +2,10 @@
 preset 'fast' has it, they overshoot. Steps and errors are in test_presets.py.
 """
 
-from calibration import Calibration
-from cases import CASES
-from trade import measure
-from variants import named
+from vertexContactTests.trade.calibration import Calibration
+from vertexContactTests.trade.cases import CASES
+from vertexContactTests.trade.rows import measure
+from vertexContactTests.trade.variants import named
 
 
 def test_fronts_overshoot(figures):

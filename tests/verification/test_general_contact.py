@@ -6,9 +6,11 @@ import shutil
 import numpy as np
 import pytest
 
-from caseTools import checked, differingFiles, runAgain
-from contactScenes import END, PLACES, difference, solve, solveOn, squares
-from smallCases import SmallCase, coulomb, interface, largest
+from vertexContactTests.caseTools import checked, differingFiles, runAgain
+from vertexContactTests.contactScenes import (END, PLACES, difference, solve,
+                                              solveOn, squares)
+from vertexContactTests.smallCases import (SmallCase, coulomb, interface,
+                                           largest)
 
 NAMED = {
     "bottom": interface(("square00", "right"), ("square10", "left"),

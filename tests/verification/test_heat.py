@@ -5,9 +5,10 @@ after a restart."""
 import numpy as np
 import pytest
 
-import readResults
-from caseTools import DEFAULT, Tutorial
-from smallCases import Body, SmallCase, condition, largest, table
+from vertexContactCases import readResults
+from vertexContactTests.caseTools import DEFAULT, Tutorial
+from vertexContactTests.smallCases import (Body, SmallCase, condition, largest,
+                                           table)
 
 RHO, CP, BETA, T0 = 8.0, 2.0, 0.9, 300.0
 HEAT = {"beta": BETA, "cp": CP, "T0": T0}

@@ -11,9 +11,8 @@ from functools import cache
 import numpy as np
 import pytest
 
-import hertzChain
-import hertzSolution
-from caseTools import DEFAULT, Tutorial, checkEnergies
+from vertexContactCases import hertzChain, hertzSolution
+from vertexContactTests.caseTools import DEFAULT, Tutorial, checkEnergies
 
 HERTZ = "hertzContact"
 TWO = (("SCENE", "spheres"),)

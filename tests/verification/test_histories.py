@@ -4,10 +4,10 @@ contact, largest values and averages."""
 import numpy as np
 import pytest
 
-import readResults
-from caseTools import DEFAULT, checked, runAgain
-from smallCases import (ELASTIC, FLOOR, Body, SmallCase, condition,
-                        largest)
+from vertexContactCases import readResults
+from vertexContactTests.caseTools import DEFAULT, checked, runAgain
+from vertexContactTests.smallCases import (ELASTIC, FLOOR, Body, SmallCase,
+                                           condition, largest)
 
 SPEED, CUT_OFF = 0.1, 0.5
 

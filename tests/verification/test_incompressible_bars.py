@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-import readResults
-from caseTools import (Tutorial, checkEnergies, checkerboard, relativeL1, rise,
-                       root)
-from mirrorImages import asymmetry
+from vertexContactCases import readResults
+from vertexContactTests.caseTools import (Tutorial, checkEnergies,
+                                          checkerboard, relativeL1, rise, root)
+from vertexContactTests.mirrorImages import asymmetry
 
 BARS = "nearlyIncompressibleBars"
 ABRUPT = (("endTime", 1.5e-4), ("writeInterval", 1e-5))

@@ -7,8 +7,9 @@ import shutil
 import numpy as np
 import pytest
 
-from caseTools import DEFAULT, checked, contents, differingFiles
-from smallCases import Body, SmallCase, condition, largest
+from vertexContactTests.caseTools import (DEFAULT, checked, contents,
+                                          differingFiles)
+from vertexContactTests.smallCases import Body, SmallCase, condition, largest
 
 E, NU, RHO = 1.0, 0.3, 1.0
 MU, KAPPA = E/(2*(1 + NU)), E/(3*(1 - 2*NU))

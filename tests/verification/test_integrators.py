@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from caseTools import rise
-from smallCases import Body, SmallCase, interface, largest
+from vertexContactTests.caseTools import rise
+from vertexContactTests.smallCases import Body, SmallCase, interface, largest
 
 INTEGRATORS = {"TVDRK2": 2, "TVDRK3": 3, "symplecticEuler": 1}
 LINEAR = {"type": "linearElastic", "rho": 1, "E": 1, "nu": 0.3}

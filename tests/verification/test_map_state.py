@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from caseTools import DEFAULT, Case, checked, execute
-from smallCases import (FLOOR, Body, SmallCase, condition, coulomb, distorted,
-                        largest, polar)
+from vertexContactTests.caseTools import DEFAULT, Case, checked, execute
+from vertexContactTests.smallCases import (FLOOR, Body, SmallCase, condition,
+                                           coulomb, distorted, largest, polar)
 
 HELD = condition("fixedVelocity", velocity=(0, 0, 0))
 MIRRORS = {"left": "symmetryPlane", "right": "symmetryPlane"}

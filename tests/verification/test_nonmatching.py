@@ -4,9 +4,10 @@ pairings that follow the bodies."""
 import numpy as np
 import pytest
 
-from caseTools import DEFAULT, PRESET, checkEnergies, rise
-from smallCases import (RUBBER, SIDES, Body, SmallCase, condition, coulomb,
-                        distorted, interface, largest)
+from vertexContactTests.caseTools import DEFAULT, PRESET, checkEnergies, rise
+from vertexContactTests.smallCases import (RUBBER, SIDES, Body, SmallCase,
+                                           condition, coulomb, distorted,
+                                           interface, largest)
 
 SYMMETRIC = dict.fromkeys(("left", "right", "back", "front"), "symmetryPlane")
 

@@ -3,8 +3,9 @@
 import numpy as np
 import pytest
 
-import readResults
-from caseTools import Tutorial, checkEnergies, relativeL1, root
+from vertexContactCases import readResults
+from vertexContactTests.caseTools import (Tutorial, checkEnergies, relativeL1,
+                                          root)
 
 BARS = "nonMatchingBars"
 NEAREST = (("PAIRING", "nearestFace"),)

@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from caseTools import DEFAULT, PRESET, checkEnergies
-from contactScenes import rigid
-from smallCases import (ELASTIC, RUBBER, Body, SmallCase, coulomb, interface,
-                        largest)
+from vertexContactTests.caseTools import DEFAULT, PRESET, checkEnergies
+from vertexContactTests.contactScenes import rigid
+from vertexContactTests.smallCases import (ELASTIC, RUBBER, Body, SmallCase,
+                                           coulomb, interface, largest)
 
 PLANE = {"type": "plane", "planeType": "pointAndNormal",
          "pointAndNormalDict": {"point": (0, 0, 0), "normal": (0, 1, 0)}}

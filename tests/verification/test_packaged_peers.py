@@ -6,9 +6,9 @@ import shutil
 import numpy as np
 import pytest
 
-import calculix
-from deck import deck, steps
-from scenes import SCENES
+from vertexContactTests.peers import calculix
+from vertexContactTests.peers.deck import deck, steps
+from vertexContactTests.peers.scenes import SCENES
 
 
 @pytest.mark.parametrize("name, mesh, nodes, volume", (

@@ -3,10 +3,10 @@ so that the comparison is one, and how they are called."""
 
 import pytest
 
-import peers
-import readResults
-from cases import CASES
-from caseTools import execute
+from vertexContactCases import readResults
+from vertexContactTests.caseTools import execute
+from vertexContactTests.trade import peers
+from vertexContactTests.trade.cases import CASES
 
 # At the end: impulse, energy, plastic work; and steps, on coarse meshes. The
 # histories are those of another program, written apart, to 1e-4

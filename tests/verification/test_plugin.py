@@ -7,10 +7,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-import caseTools
-from caseTools import checked
-from smallCases import (ELASTIC, Body, SmallCase, condition, interface,
-                        largest)
+from vertexContactTests import caseTools
+from vertexContactTests.caseTools import checked
+from vertexContactTests.smallCases import (ELASTIC, Body, SmallCase, condition,
+                                           interface, largest)
 
 PLUGIN = Path(__file__).resolve().parent/"plugin"
 NEW = "SaintVenantKirchhoff", "Orowan"

@@ -5,10 +5,10 @@ stands for."""
 
 import pytest
 
-from calibration import Calibration
-from cases import CASES, entry
-from trade import measure, tradeTable
-from variants import NAMES, PAPER, named
+from vertexContactTests.trade.calibration import Calibration
+from vertexContactTests.trade.cases import CASES, entry
+from vertexContactTests.trade.rows import measure, tradeTable
+from vertexContactTests.trade.variants import NAMES, PAPER, named
 
 # The cases of the trade, on the coarsest meshes that are not too coarse for
 # the ranking

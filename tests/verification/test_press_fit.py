@@ -4,8 +4,8 @@ rings."""
 import numpy as np
 import pytest
 
-import lame
-from caseTools import DEFAULT, Tutorial
+from vertexContactCases import lame
+from vertexContactTests.caseTools import DEFAULT, Tutorial
 
 MESHES = {mesh: Tutorial("pressFit", mesh, preset=DEFAULT)
           for mesh in ("I", "II")}

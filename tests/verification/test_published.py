@@ -3,10 +3,9 @@
 import numpy as np
 import pytest
 
-import compressedSpheres
-import curvedBeams
-import published
-from caseTools import DEFAULT, Tutorial
+from vertexContactCases import published
+from vertexContactTests import compressedSpheres, curvedBeams
+from vertexContactTests.caseTools import DEFAULT, Tutorial
 
 IRONING = {mesh: Tutorial("shallowIroning", mesh, preset=DEFAULT)
            for mesh in ("I", "II")}

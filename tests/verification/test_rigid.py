@@ -4,11 +4,12 @@ that they touch."""
 import numpy as np
 import pytest
 
-import readResults
-from caseTools import DEFAULT, execute
-from contactScenes import rigid, spinning, toolAndBlock
-from smallCases import (EACH_STEP, FLOOR, RUBBER, Body, SmallCase, condition,
-                        coulomb, interface, largest, table)
+from vertexContactCases import readResults
+from vertexContactTests.caseTools import DEFAULT, execute
+from vertexContactTests.contactScenes import rigid, spinning, toolAndBlock
+from vertexContactTests.smallCases import (EACH_STEP, FLOOR, RUBBER, Body,
+                                           SmallCase, condition, coulomb,
+                                           interface, largest, table)
 
 # The run of one rigid region has no step of its own
 FIXED = {"adjustTimeStep": "no"}

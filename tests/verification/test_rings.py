@@ -3,9 +3,10 @@
 import numpy as np
 import pytest
 
-import readResults
-from caseTools import Tutorial, checkEnergies, relativeL1, root
-from mirrorImages import asymmetry
+from vertexContactCases import readResults
+from vertexContactTests.caseTools import (Tutorial, checkEnergies, relativeL1,
+                                          root)
+from vertexContactTests.mirrorImages import asymmetry
 
 RING = "ringCollision"
 CELL = 1e-3                     # thickness of a cell of Mesh I

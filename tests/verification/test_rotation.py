@@ -4,8 +4,9 @@ cube, and small bodies in rotation."""
 import numpy as np
 import pytest
 
-from caseTools import DEFAULT, PRESET, Case, checked, copyTutorials
-from smallCases import RUBBER, Body, SmallCase, largest
+from vertexContactTests.caseTools import (DEFAULT, PRESET, Case, checked,
+                                          copyTutorials)
+from vertexContactTests.smallCases import RUBBER, Body, SmallCase, largest
 
 WAVES = np.sqrt((1 - 0.3)/((1 + 0.3)*(1 - 2*0.3)))  # speed in RUBBER
 OMEGA = 0.2*WAVES                           # as the cube of the tutorial

@@ -4,7 +4,8 @@ a rigid plane."""
 import numpy as np
 import pytest
 
-from caseTools import DEFAULT, Tutorial, checkEnergies, relativeL1
+from vertexContactTests.caseTools import (DEFAULT, Tutorial, checkEnergies,
+                                          relativeL1)
 
 HAIRPIN = "selfContact"
 SELF, NON_MATCHING, HALF = (

@@ -6,9 +6,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from caseTools import timeFolders
-from smallCases import (ELASTIC, Body, SmallCase, condition, distorted,
-                        largest, table)
+from vertexContactTests.caseTools import timeFolders
+from vertexContactTests.smallCases import (ELASTIC, Body, SmallCase, condition,
+                                           distorted, largest, table)
 
 CELLS = "simplicial", "simplicialSingle", "native"
 LAWS = "linearElastic", "neoHookean", "MooneyRivlin"

@@ -6,10 +6,12 @@ import re
 import numpy as np
 import pytest
 
-from caseTools import (DEFAULT, checked, differingFiles, execute, rankFolders,
-                       runAgain, timeFolders)
-from smallCases import (ELASTIC, RUBBER, Body, SmallCase, condition, interface,
-                        largest, polar, table)
+from vertexContactTests.caseTools import (DEFAULT, checked, differingFiles,
+                                          execute, rankFolders, runAgain,
+                                          timeFolders)
+from vertexContactTests.smallCases import (ELASTIC, RUBBER, Body, SmallCase,
+                                           condition, interface, largest,
+                                           polar, table)
 
 HELD = condition("fixedVelocity", velocity=(0, 0, 0))
 MIRROR = condition("symmetryPlane")

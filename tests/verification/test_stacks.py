@@ -4,9 +4,9 @@ and a block in the corner between two others."""
 import numpy as np
 import pytest
 
-from caseTools import DEFAULT, rise
-from smallCases import (FLOOR, Body, SmallCase, condition, interface, largest,
-                        slowly)
+from vertexContactTests.caseTools import DEFAULT, rise
+from vertexContactTests.smallCases import (FLOOR, Body, SmallCase, condition,
+                                           interface, largest, slowly)
 
 CLAMP = condition("fixedVelocity", velocity=(0, 0, 0))
 

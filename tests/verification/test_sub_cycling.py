@@ -7,10 +7,12 @@ import shutil
 import numpy as np
 import pytest
 
-from caseTools import (DEFAULT, checked, contents, differingFiles, rise,
-                       runAgain, timeFolders)
-from contactScenes import boxOnBumper, released
-from smallCases import Body, SmallCase, condition, coulomb, interface, largest
+from vertexContactTests.caseTools import (DEFAULT, checked, contents,
+                                          differingFiles, rise, runAgain,
+                                          timeFolders)
+from vertexContactTests.contactScenes import boxOnBumper, released
+from vertexContactTests.smallCases import (Body, SmallCase, condition, coulomb,
+                                           interface, largest)
 
 RATIO = 20          # of the speeds of waves
 SPEED = 0.01

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 import pyvista
 
-from caseTools import Tutorial, checkerboard, rise
-from smallCases import largest
+from vertexContactTests.caseTools import Tutorial, checkerboard, rise
+from vertexContactTests.smallCases import largest
 
 SCENE = Tutorial("taylorBar", mesh="4")
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from caseTools import DEFAULT, Tutorial, checkEnergies
+from vertexContactTests.caseTools import DEFAULT, Tutorial, checkEnergies
 
 TORUS = "torusImpact"
 SHORT = (("endTime", 0.02),)

@@ -7,8 +7,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from caseTools import Scene, relativeL1, timeFolders
-from exactSolution import TwoBarImpact
+from vertexContactCases.exactSolution import TwoBarImpact
+from vertexContactTests.caseTools import Scene, relativeL1, timeFolders
 
 # Refinement of the default scheme, and other reconstructions
 SIMILAR = Scene("similar")

@@ -4,11 +4,12 @@ and how bodies come to rest on each other."""
 import numpy as np
 import pytest
 
-from caseTools import rise
-from defaultCases import (CLAMPED, STEEP, barAgainst, checkShock,
-                          defaultCase, rough)
-from smallCases import (ELASTIC, FLOOR, RUBBER, Body, condition, coulomb,
-                        distorted, interface, largest, table)
+from vertexContactTests.caseTools import rise
+from vertexContactTests.defaultCases import (CLAMPED, STEEP, barAgainst,
+                                             checkShock, defaultCase, rough)
+from vertexContactTests.smallCases import (ELASTIC, FLOOR, RUBBER, Body,
+                                           condition, coulomb, distorted,
+                                           interface, largest, table)
 
 
 @pytest.mark.parametrize("cells, material", (

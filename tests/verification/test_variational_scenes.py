@@ -5,12 +5,13 @@ bodies that are loaded, struck or bent and then left alone."""
 import numpy as np
 import pytest
 
-from caseTools import Tutorial, rise
-from contactScenes import boxOnBumper, released
-from defaultCases import (CLAMPED, barAgainst, checkShock, defaultCase,
-                          rough)
-from smallCases import (ELASTIC, FLOOR, Body, GmshBody, condition,
-                        coulomb, distorted, interface, largest, table)
+from vertexContactTests.caseTools import Tutorial, rise
+from vertexContactTests.contactScenes import boxOnBumper, released
+from vertexContactTests.defaultCases import (CLAMPED, barAgainst, checkShock,
+                                             defaultCase, rough)
+from vertexContactTests.smallCases import (ELASTIC, FLOOR, Body, GmshBody,
+                                           condition, coulomb, distorted,
+                                           interface, largest, table)
 
 scenes = pytest.mark.scenes
 

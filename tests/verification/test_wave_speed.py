@@ -5,8 +5,8 @@ material."""
 import numpy as np
 import pytest
 
-from caseTools import rise
-from smallCases import Body, SmallCase, condition
+from vertexContactTests.caseTools import rise
+from vertexContactTests.smallCases import Body, SmallCase, condition
 
 MU, KAPPA = 0.5/1.3, 1/1.2          # E = 1, nu = 0.3, rho = 1
 CP = np.sqrt(KAPPA + 4/3*MU)

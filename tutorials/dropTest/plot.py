@@ -5,20 +5,12 @@ energies.png.
     plot.py [CASE]
 """
 
-import os
 import sys
 from pathlib import Path
 
-# tutorials/, also for a case that was copied elsewhere
-sys.path += [str(Path(__file__).resolve().parent.parent),
-             os.environ.get("VERTEXCONTACT_DIR", ".") + "/tutorials"]
-
-import bumperModel
-import drawFields
-import drawHistories
-import drawSolids
-import readResults
-from drawHistories import plt
+from vertexContactCases import (bumperModel, drawFields, drawHistories,
+                                drawSolids, readResults)
+from vertexContactCases.drawHistories import plt
 
 MESHES = {3: "Mesh I", 4: "Mesh II", 6: "Mesh III", 8: "Mesh IV"}
 TIMES = 0.0005, 0.001, 0.0015, 0.0025

@@ -4,21 +4,11 @@
     plot.py [CASE]
 """
 
-import os
 import sys
 from pathlib import Path
 
-# tutorials/, also for a case that was copied elsewhere
-sys.path += [str(Path(__file__).resolve().parent.parent),
-             os.environ.get("VERTEXCONTACT_DIR", ".") + "/tutorials"]
-
-import numpy as np
-
-import drawFields
-import drawHistories
-import prandtl
-import readResults
-from drawHistories import plt
+from vertexContactCases import drawFields, drawHistories, prandtl, readResults
+from vertexContactCases.drawHistories import plt
 
 MESHES = {8: "Mesh I", 16: "Mesh II", 32: "Mesh III", 64: "Mesh IV"}
 TIMES = 100e-6, 150e-6, 175e-6, 250e-6

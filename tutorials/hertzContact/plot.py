@@ -5,23 +5,15 @@ energies.png.
     plot.py [CASE]
 """
 
-import os
 import sys
 from pathlib import Path
 
-# tutorials/, also for a case that was copied elsewhere
-sys.path += [str(Path(__file__).resolve().parent.parent),
-             os.environ.get("VERTEXCONTACT_DIR", ".") + "/tutorials"]
-
 import numpy as np
 
-import drawFields
-import drawHistories
-import drawSolids
-import hertzSolution
-import readResults
-from drawHistories import plt
-from readFields import Reader
+from vertexContactCases import (drawFields, drawHistories, drawSolids,
+                                hertzSolution, readResults)
+from vertexContactCases.drawHistories import plt
+from vertexContactCases.readFields import Reader
 
 MESHES = {0.28: "Mesh I", 0.21: "Mesh II", 0.14: "Mesh III", 0.105: "Mesh IV"}
 TIMES = 0.001, 0.0025, 0.004, 0.0055

@@ -4,19 +4,11 @@
     plot.py [CASE]
 """
 
-import os
 import sys
 from pathlib import Path
 
-# tutorials/, also for a case that was copied elsewhere
-sys.path += [str(Path(__file__).resolve().parent.parent),
-             os.environ.get("VERTEXCONTACT_DIR", ".") + "/tutorials"]
-
-import discs
-import drawFields
-import drawHistories
-import heap
-from drawHistories import plt
+from vertexContactCases import discs, drawFields, drawHistories, heap
+from vertexContactCases.drawHistories import plt
 
 MESHES = {4: "Mesh I", 6: "Mesh II", 8: "Mesh III", 12: "Mesh IV"}
 TIMES = 0.1, 0.2, 0.3, 0.8

@@ -5,16 +5,10 @@ energies.png.
     plot.py [CASE]
 """
 
-import os
 import sys
 from pathlib import Path
 
-# tutorials/, also for a case that was copied elsewhere
-sys.path += [str(Path(__file__).resolve().parent.parent),
-             os.environ.get("VERTEXCONTACT_DIR", ".") + "/tutorials"]
-
-import drawFields
-import drawHistories
+from vertexContactCases import drawFields, drawHistories
 
 MESHES = {8: "Mesh I", 16: "Mesh II", 32: "Mesh III", 64: "Mesh IV"}
 TIMES = 50e-6, 75e-6, 1e-4, 125e-6, 150e-6, 2e-4, 250e-6, 3e-4, 325e-6

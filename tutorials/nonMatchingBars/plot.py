@@ -5,21 +5,14 @@ energies.png.
     plot.py [CASE]
 """
 
-import os
 import sys
 from pathlib import Path
 
-# tutorials/, also for a case that was copied elsewhere
-sys.path += [str(Path(__file__).resolve().parent.parent),
-             os.environ.get("VERTEXCONTACT_DIR", ".") + "/tutorials"]
-
 import numpy as np
 
-import drawFields
-import drawHistories
-import drawSolids
-import readResults
-from drawHistories import plt
+from vertexContactCases import (drawFields, drawHistories, drawSolids,
+                                readResults)
+from vertexContactCases.drawHistories import plt
 
 MESHES = {(4, 10): "Mesh I", (6, 10): "Mesh II", (8, 10): "Mesh III",
           (12, 10): "Mesh IV", (10, 10): "conforming"}

@@ -4,21 +4,14 @@
     plot.py [CASE]
 """
 
-import os
 import sys
 from pathlib import Path
 
-# tutorials/, also for a case that was copied elsewhere
-sys.path += [str(Path(__file__).resolve().parent.parent),
-             os.environ.get("VERTEXCONTACT_DIR", ".") + "/tutorials"]
-
 import numpy as np
 
-import drawFields
-import drawHistories
-import lame
-from drawHistories import plt
-from readFields import Reader
+from vertexContactCases import drawFields, drawHistories, lame
+from vertexContactCases.drawHistories import plt
+from vertexContactCases.readFields import Reader
 
 MESHES = {4: "Mesh I", 8: "Mesh II", 16: "Mesh III", 32: "Mesh IV"}
 TIMES = 5e-6, 25e-6

@@ -4,16 +4,10 @@
     plot.py [CASE]
 """
 
-import os
 import sys
 from pathlib import Path
 
-# tutorials/, also for a case that was copied elsewhere
-sys.path += [str(Path(__file__).resolve().parent.parent),
-             os.environ.get("VERTEXCONTACT_DIR", ".") + "/tutorials"]
-
-import drawFields
-import drawHistories
+from vertexContactCases import drawFields, drawHistories
 
 MESHES = {10: "Mesh I", 20: "Mesh II", 40: "Mesh III", 80: "Mesh IV"}
 TIMES = 0.01, 0.02, 0.03, 0.04

@@ -4,16 +4,10 @@
     plot.py [CASE]
 """
 
-import os
 import sys
 from pathlib import Path
 
-# tutorials/, also for a case that was copied elsewhere
-sys.path += [str(Path(__file__).resolve().parent.parent),
-             os.environ.get("VERTEXCONTACT_DIR", ".") + "/tutorials"]
-
-import drawFields
-import drawHistories
+from vertexContactCases import drawFields, drawHistories
 
 MESHES = {4: "Mesh I", 8: "Mesh II", 16: "Mesh III", 32: "Mesh IV"}
 TIMES = 0.002, 0.004, 0.006, 0.008, 0.01, 0.012, 0.016, 0.02

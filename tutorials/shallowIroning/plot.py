@@ -4,19 +4,11 @@
     plot.py [CASE]
 """
 
-import os
 import sys
 from pathlib import Path
 
-# tutorials/, also for a case that was copied elsewhere
-sys.path += [str(Path(__file__).resolve().parent.parent),
-             os.environ.get("VERTEXCONTACT_DIR", ".") + "/tutorials"]
-
-import drawFields
-import drawHistories
-import published
-import readResults
-from drawHistories import plt
+from vertexContactCases import drawFields, drawHistories, published
+from vertexContactCases.drawHistories import plt
 
 MESHES = {6: "Mesh I", 12: "Mesh II", 24: "Mesh III", 48: "Mesh IV"}
 TIMES = 0.0005, 0.0007, 0.0011, 0.0015

@@ -4,20 +4,14 @@
     plot.py [CASE]
 """
 
-import os
 import sys
 from math import pi
 from pathlib import Path
 
-# tutorials/, also for a case that was copied elsewhere
-sys.path += [str(Path(__file__).resolve().parent.parent),
-             os.environ.get("VERTEXCONTACT_DIR", ".") + "/tutorials"]
-
 import numpy as np
 
-import drawHistories
-import readResults
-from drawHistories import plt
+from vertexContactCases import drawHistories, readResults
+from vertexContactCases.drawHistories import plt
 
 MESHES = {6: "Mesh I", 8: "Mesh II", 12: "Mesh III", 16: "Mesh IV"}
 TURN = 2*pi/30      # s

@@ -5,17 +5,10 @@ pointT.png, histories.png and energies.png.
     plot.py [CASE]
 """
 
-import os
 import sys
 from pathlib import Path
 
-# tutorials/, also for a case that was copied elsewhere
-sys.path += [str(Path(__file__).resolve().parent.parent),
-             os.environ.get("VERTEXCONTACT_DIR", ".") + "/tutorials"]
-
-import drawFields
-import drawHistories
-import drawSolids
+from vertexContactCases import drawFields, drawHistories, drawSolids
 
 MESHES = {6: "Mesh I", 8: "Mesh II", 12: "Mesh III", 16: "Mesh IV"}
 TIMES = 20e-6, 40e-6, 60e-6, 80e-6

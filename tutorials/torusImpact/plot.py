@@ -4,19 +4,12 @@
     plot.py [CASE]
 """
 
-import os
 import sys
 from pathlib import Path
 
-# tutorials/, also for a case that was copied elsewhere
-sys.path += [str(Path(__file__).resolve().parent.parent),
-             os.environ.get("VERTEXCONTACT_DIR", ".") + "/tutorials"]
-
 import numpy as np
 
-import drawFields
-import drawHistories
-import drawSolids
+from vertexContactCases import drawFields, drawHistories, drawSolids
 
 MESHES = {2.75: "Mesh I", 1.96: "Mesh II", 1.44: "Mesh III", 1.145: "Mesh IV"}
 TIMES = np.arange(0.0025, 0.0501, 0.0025)

@@ -4,17 +4,10 @@
     plot.py [CASE]
 """
 
-import os
 import sys
 from pathlib import Path
 
-# tutorials/, also for a case that was copied elsewhere
-sys.path += [str(Path(__file__).resolve().parent.parent),
-             os.environ.get("VERTEXCONTACT_DIR", ".") + "/tutorials"]
-
-import drawFields
-import drawHistories
-import drawSolids
+from vertexContactCases import drawFields, drawHistories, drawSolids
 
 MESHES = {4: "Mesh I", 6: "Mesh II", 8: "Mesh III", 12: "Mesh IV"}
 TIMES = 0.02, 0.04, 0.06, 0.08, 0.1

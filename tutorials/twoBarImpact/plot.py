@@ -15,10 +15,8 @@ import matplotlib.pyplot as plt
 import numpy as np
 from foamlib import FoamFile
 
-sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
-
-import readResults
-from exactSolution import TwoBarImpact
+from vertexContactCases import readResults
+from vertexContactCases.exactSolution import TwoBarImpact
 
 EXACT = dict(color="black", linewidth=1, linestyle=(0, (4, 2)), zorder=3)
 

@@ -12,20 +12,16 @@ time (default 1). -page: nothing is run.
 import argparse
 import csv
 import json
-import sys
 import tempfile
 import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
+from vertexContactTests.stability import page
+from vertexContactTests.stability.groups import GROUPS, cellsOf
+from vertexContactTests.stability.judge import WRONG, Result
+
 here = Path(__file__).resolve().parent
-sys.path.insert(0, str(Path(__file__).resolve().parents[2]/"tools"))
-import searchPath
-
-from stability import page
-from stability.groups import GROUPS, cellsOf
-from stability.judge import WRONG, Result
-
 TABLE = here/"stability.csv"
 COLUMNS = "group", "parameters", "outcome", "figures", "why", "seconds"
 

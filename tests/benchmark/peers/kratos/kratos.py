@@ -7,17 +7,13 @@ what a step costs. Runs with the Python that ../install has made.
 
 import sys
 import time
-from pathlib import Path
-
-sys.path.insert(0, str(Path(__file__).resolve().parents[3]/"tools"))
-import searchPath
 
 import KratosMultiphysics as KM
 import KratosMultiphysics.ConstitutiveLawsApplication as CLA
 import KratosMultiphysics.StructuralMechanicsApplication as SMA
 import numpy as np
 
-from scenes import SCENES
+from vertexContactTests.peers.scenes import SCENES
 
 PRINTED = 20
 POINTS = 6      # of HARDENING_CURVE: a curve by points

@@ -1,0 +1,1 @@
+"""Our cases for programs from packages (tests/benchmark/peers)."""

@@ -1,0 +1,2 @@
+"""What accuracy costs: cases, options and programs to compare with, of
+tests/benchmark/trade/trade.py."""
