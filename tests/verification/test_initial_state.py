@@ -244,6 +244,37 @@ def test_initial_temperature(tmp_path, figures):
                  / runs["cold"].at("sigmaEq").max(), 0.8)
 
 
+@pytest.mark.parametrize("what, CpInv, named", (
+    ("volume", (1.1, 0, 0, 1, 0, 1), ("CpInv", "determinant", "F0")),
+    ("sign", (-1, 0, 0, -1, 0, 1), ("CpInv", "positive definite")),
+    ("yield", (1.2**2, 0, 0, 1.2**-2, 0, 1), (
+        "CpInv", "yield stress", "at most 0.02 Pa", "epsilonPEq"))))
+def test_states_that_none_can_have(tmp_path, what, CpInv, named):
+    case = pulled(tmp_path/"case", 1.0)
+    n = len(case.points("body"))
+    case.writePointField(block(material=METAL, right=PULLED), "CpInv",
+                         "[0 0 0 0 0 0 0]", np.tile(CpInv, (n, 1)),
+                         "symmTensor")
+    code, output = case.attempt()
+    assert code != 0, output
+    message = output[output.index("--> FOAM FATAL IO ERROR"):]
+    for name in named:
+        assert name in message, message
+
+
+def test_beyond_yield_by_a_displacement(tmp_path, figures):
+    """With a displacement, as mapState gives it, what is beyond the yield
+    stress flows in the first step."""
+    body = block(material=METAL)
+    body.displacement = lambda X: 0.1*X*(1, 0, 0)
+    case = SmallCase(tmp_path, body, 0.01, preset=DEFAULT).run()
+    with figures("a displacement beyond yield") as f:
+        f.atLeast("plastic strain, least", case.at("epsilonPEq").min(), 0.01)
+        f.atMost("von Mises stress / yield stress, largest", np.max(
+            case.at("sigmaEq")/(METAL["tauY"] + METAL["Hardening"]
+                                * case.at("epsilonPEq"))), 1 + 1e-12)
+
+
 def takeOver(case, first, time):
     """Begin a case with a time of another run on the same mesh: its folder, but
     with the boundary conditions, which pointU has, of the case."""

@@ -86,8 +86,7 @@ Foam::keywordList Foam::regionFiles::startFields()
         {"pointD", "m", "vector", "displacement, and the stress of it"},
         {
             "F0", "-", "tensor",
-            "deformation from where there is no stress to the mesh; elastic "
-            "laws"
+            "deformation from where there is no stress to the mesh"
         },
         {
             "CpInv", "-", "symmTensor",

@@ -139,13 +139,8 @@ Foam::initialStretch Foam::solidBody::readInitialStretch
         FatalFileErrorInFunction(file)
             << "The field F0, an initial stretch, does not go with type "
             << law.type() << " of region '" << name_
-            << "': it is one of elastic laws." << nl
-            << (
-                   law.plastic()
-                 ? "Give the initial state of a plastic one by the field CpInv"
-                 : "Remove the field"
-               )
-            << exit(FatalIOError);
+            << "': it is one of laws that deform." << nl
+            << "Remove the field" << exit(FatalIOError);
     }
 
     const label d = dual_.nDim();
@@ -305,50 +300,9 @@ void Foam::solidBody::readState()
         deformationFromDisplacement();
     }
 
-    if (material_->plastic())
-    {
-        const auto C = readIfPresent<symmTensor>("CpInv", dimless);
-        const auto strain = readIfPresent<scalar>("epsilonPEq", dimless);
-        if (material_->initialTemperature() > 0)
-        {
-            // Also where this processor has no node of the body
-            fileName file;
-            const auto T =
-                readIfPresent<scalar>("pointT", dimTemperature, &file);
-            for (label a = 0; a < n && T.valid(); ++a)
-            {
-                s.temperature[a] = T().primitiveField()[point[a]];
-                if (!(s.temperature[a] > 0))
-                {
-                    FatalFileErrorInFunction(file)
-                        << "Keyword 'internalField': a temperature is "
-                        << s.temperature[a] << " K, it must be positive"
-                        << exit(FatalIOError);
-                }
-            }
-        }
-        const label out = d == 2 ? 3 - dir[0] - dir[1] : (dir[0] + 1) % 3;
-        for (label a = 0; a < n; ++a)
-        {
-            if (C.valid())
-            {
-                const tensor full(C().primitiveField()[point[a]]);
-                scalar* p = s.Cpi.data() + a*s.strideCpi;
-                for (label i = 0; i < d; ++i)
-                {
-                    for (label j = i; j < d; ++j)
-                    {
-                        *p++ = full[3*dir[i] + dir[j]];
-                    }
-                }
-                if (d < 3) *p = full[4*out];
-            }
-            if (strain.valid())
-            {
-                s.epsilonPEq[a] = strain().primitiveField()[point[a]];
-            }
-        }
-    }
+    // What a run has written, and what displacements have strained, is at its
+    // yield stress, or beyond it by what the first step flows
+    if (material_->plastic()) readPlasticState(!F.valid() && !D.valid());
 
     const scalar removed = returnReduce
     (
@@ -373,6 +327,100 @@ void Foam::solidBody::readState()
                 contact_.status[a] = status().primitiveField()[point[a]];
             }
         }
+    }
+}
+
+
+void Foam::solidBody::readPlasticState(const bool undeformed)
+{
+    conservedState& s = data_.state;
+    const label d = dual_.nDim();
+    const label n = dual_.nNodes();
+    const FixedList<label, 3>& dir = dual_.directions();
+    const labelList& point = dual_.nodePoint();
+
+    // Also where this processor has no node of the body
+    fileName CFile;
+    const auto C = readIfPresent<symmTensor>("CpInv", dimless, &CFile);
+    const auto strain = readIfPresent<scalar>("epsilonPEq", dimless);
+    if (material_->initialTemperature() > 0)
+    {
+        fileName file;
+        const auto T = readIfPresent<scalar>("pointT", dimTemperature, &file);
+        for (label a = 0; a < n && T.valid(); ++a)
+        {
+            s.temperature[a] = T().primitiveField()[point[a]];
+            if (!(s.temperature[a] > 0))
+            {
+                FatalFileErrorInFunction(file)
+                    << "Keyword 'internalField': a temperature is "
+                    << s.temperature[a] << " K, it must be positive"
+                    << exit(FatalIOError);
+            }
+        }
+    }
+
+    const label out = d == 2 ? 3 - dir[0] - dir[1] : (dir[0] + 1) % 3;
+    for (label a = 0; a < n; ++a)
+    {
+        if (C.valid())
+        {
+            const symmTensor& given = C().primitiveField()[point[a]];
+            if
+            (
+                !(mag(det(given) - 1) <= roundedDeterminant)
+             || !(given.xx() > 0)
+             || !(given.xx()*given.yy() > sqr(given.xy()))
+            )
+            {
+                FatalFileErrorInFunction(CFile)
+                    << "Keyword 'internalField': CpInv is " << given << " at "
+                    << mesh_.points()[point[a]] << ", with the determinant "
+                    << det(given) << ": it must be positive definite, with the "
+                    << "determinant 1." << nl
+                    << "Give changes of the volume by the field F0"
+                    << exit(FatalIOError);
+            }
+            const tensor full(given);
+            scalar* p = s.Cpi.data() + a*s.strideCpi;
+            for (label i = 0; i < d; ++i)
+            {
+                for (label j = i; j < d; ++j)
+                {
+                    *p++ = full[3*dir[i] + dir[j]];
+                }
+            }
+            if (d < 3) *p = full[4*out];
+        }
+        if (strain.valid())
+        {
+            s.epsilonPEq[a] = strain().primitiveField()[point[a]];
+        }
+    }
+
+    // The file, also where this processor has no node of the body
+    fileName file(CFile);
+    const bool stretched = material_->initial().on();
+    if (stretched) readIfPresent<tensor>("F0", dimless, &file);
+    for (label a = 0; a < n && undeformed && (stretched || C.valid()); ++a)
+    {
+        const Pair<scalar> stress(material_->yieldState(s, a));
+        if
+        (
+            stress.first() - stress.second()
+         <= roundedStretch*3*material_->mu()
+        )
+        {
+            continue;
+        }
+        FatalFileErrorInFunction(file)
+            << "Keyword 'internalField': the stress at the start is beyond the "
+            << "yield stress: that of von Mises (Kirchhoff) is "
+            << stress.first() << " Pa at " << mesh_.points()[point[a]]
+            << ", at most " << stress.second() << " Pa are valid." << nl
+            << "Give less of " << (stretched ? "the stretch F0" : "CpInv - I")
+            << ", or earlier flow by the field epsilonPEq"
+            << exit(FatalIOError);
     }
 }
 

@@ -99,11 +99,12 @@ void Foam::solidBody::scaleMass(const scalar factor, const scalar before)
 Foam::scalar Foam::solidBody::undeformedTimeScale()
 {
     // As a body that begins; the state is put back
-    const conservedState start
+    conservedState start
     (
         dual_.nNodes(), dual_.nDim(), kinematicsOf(options_, *material_),
         data_.finiteStrain
     );
+    if (material_->plastic()) start.makePlastic();
     const scalarField F(data_.state.F), H(data_.state.H);
     const scalarField waveFactor(data_.waveFactor);
     data_.state.F = start.F;

@@ -24,6 +24,8 @@ const scalar tol = 1e-8;        // moduli of order 1, central differences
 
 const char* const linear = "type linearElastic; rho 2; mu 1; lambda 2;";
 const char* const neo = "type neoHookean; rho 2; mu 1; kappa 3;";
+const char* const Hencky =
+    "type HenckyVonMises; rho 2; mu 1; kappa 3; tauY 100;";
 const char* const mooney = "type MooneyRivlin; rho 2; mu 1; kappa 3; xi 0.1;";
 
 //- An F0 with what D directions have
@@ -226,6 +228,12 @@ TEST_CASE("initial stretch, neoHookean", "[materials][serial]")
 TEST_CASE("initial stretch, MooneyRivlin", "[materials][serial]")
 {
     all(mooney);
+}
+
+
+TEST_CASE("initial stretch, HenckyVonMises", "[materials][serial]")
+{
+    all(Hencky);
 }
 
 

@@ -88,7 +88,7 @@ struct trialState
                 b(i, j) = b(j, i) = sum;
             }
         }
-        b.out = D < 3 ? C.out : 0;
+        b.out = D < 3 ? C.out*sqr(F.out) : 0;
         return b;
     }
 };
@@ -118,8 +118,26 @@ void storeCpi(scalar* p, const SolidTensor<D>& C)
     if (D < 3) *p = C.out;
 }
 
+//- Deformation gradient of a node from the natural state of the material
+template<int D, bool stretched>
+SolidTensor<D> naturalF
+(
+    const initialStretch& initial,
+    const conservedState& s,
+    const label i
+)
+{
+    const SolidTensor<D> F = loadF<D>(s.F.cdata(), i);
+    if constexpr (stretched)
+    {
+        return initial.natural<D, true>(F, i);
+    }
+    return F;
+}
+
 //- Flow of a node from its trial state: growth of the equivalent plastic
-//  strain, what is left of the trial stress, and the work of the flow [J/m3]
+//  strain, what is left of the trial stress, and the work of the flow by volume
+//  of the natural state [J/m3]
 struct flowState
 {
     scalar increment = 0;
@@ -156,16 +174,18 @@ struct flowState
     }
 };
 
-//- Cp^-1 after the flow, F^-1 b_e F^-T with the cofactor G of F
+//- Cp^-1 after the flow, F^-1 b_e F^-T with the cofactor of F, which is that
+//  from the natural state
 template<int D>
 SolidTensor<D> flownCpi
 (
     const trialState<D>& trial,
     const scalar shrink,
-    const SolidTensor<D>& G,
-    const scalar detF
+    const SolidTensor<D>& F
 )
 {
+    const SolidTensor<D> G = cofactor(F);
+    const scalar detF = determinant(F, G);
     scalar square[3];
     for (int k = 0; k < 3; ++k)
     {
@@ -189,15 +209,16 @@ SolidTensor<D> flownCpi
             C(a, b) = perSquare*sum;
         }
     }
-    C.out = be.out;
+    C.out = be.out/sqr(F.out);
     return C;
 }
 
 //- Call f(i, trial) with all nodes and their trial states. Principal values,
 //  most of the time, are those of many nodes at once
-template<int D, class Function>
+template<int D, bool stretched, class Function>
 void forTrialStates
 (
+    const initialStretch& initial,
     const conservedState& s,
     const scalar mu,
     const Function& f
@@ -214,7 +235,7 @@ void forTrialStates
             const label i = min(first + l, end - 1);
             b[l] = trialState<D>::leftCauchyGreen
             (
-                loadF<D>(s.F.cdata(), i), loadCpi<D>(s, i)
+                naturalF<D, stretched>(initial, s, i), loadCpi<D>(s, i)
             );
         }
         principalValues<D>::ofLanes(b, principal);
@@ -277,7 +298,7 @@ void Foam::HenckyVonMises::readHeating(const dictionary& dict)
 }
 
 
-template<int D, class Hardening>
+template<int D, bool stretched, class Hardening>
 void Foam::HenckyVonMises::stressLoop
 (
     const Hardening& yield,
@@ -289,7 +310,7 @@ void Foam::HenckyVonMises::stressLoop
 {
     const scalar twoMu = 2*mu(), threeMu = 3*mu();
 
-    forTrialStates<D>(s, mu(), [&](const label i, const trialState<D>& trial)
+    const auto atNode = [&](const label i, const trialState<D>& trial)
     {
         const SolidTensor<D> F = loadF<D>(s.F.cdata(), i);
         const SolidTensor<D> G = cofactor(F);
@@ -304,23 +325,30 @@ void Foam::HenckyVonMises::stressLoop
             s.flow.increment[i] = flow.increment;
             if (flow.increment > 0)
             {
-                s.flow.work[i] = flow.work;
+                s.flow.work[i] = perMesh<stretched>(flow.work, i);
                 storeCpi
                 (
                     s.flow.Cpi.data() + i*s.strideCpi,
-                    flownCpi(trial, flow.shrink, G, detF)
+                    flownCpi
+                    (
+                        trial, flow.shrink,
+                        naturalF<D, stretched>(initial(), s, i)
+                    )
                 );
             }
         }
 
-        // Kirchhoff stress, and P = tau F^-T + SigmaJ H
+        // Kirchhoff stress, and P = tau F^-T + SigmaJ H. With an initial
+        // stretch so, too: (F F0)^-T F0^T = F^-T, and the same with H
         scalar tau[3];
         for (int k = 0; k < 3; ++k)
         {
-            tau[k] = flow.shrink*twoMu*trial.deviator[k];
+            tau[k] =
+                perMesh<stretched>(flow.shrink*twoMu*trial.deviator[k], i);
         }
         const SolidTensor<D> T = trial.b.compose(tau);
-        const scalar SJ = kappa()*std::log(J)/J;
+        const scalar naturalJ = stretched ? J*initial().J(i) : J;
+        const scalar SJ = kappa()*std::log(naturalJ)/naturalJ;
         const scalar perDetF = 1/detF;
         for (int a = 0; a < D; ++a)
         {
@@ -332,7 +360,8 @@ void Foam::HenckyVonMises::stressLoop
             }
         }
         if (SigmaJ) SigmaJ[i*stride] = SJ;
-    });
+    };
+    forTrialStates<D, stretched>(initial(), s, mu(), atNode);
 }
 
 
@@ -343,7 +372,7 @@ Foam::scalar Foam::HenckyVonMises::jumpModulus() const
 }
 
 
-template<int D, class Hardening>
+template<int D, bool stretched, class Hardening>
 Foam::scalar Foam::HenckyVonMises::commitLoop
 (
     const Hardening& yield,
@@ -353,21 +382,28 @@ Foam::scalar Foam::HenckyVonMises::commitLoop
 {
     const scalar threeMu = 3*mu();
     scalar dissipated = 0;
-    forTrialStates<D>(s, mu(), [&](const label i, const trialState<D>& trial)
+    const auto atNode = [&](const label i, const trialState<D>& trial)
     {
         const flowState flow(trial, yield, s, i, threeMu);
         if (flow.increment > 0)
         {
-            const SolidTensor<D> F = loadF<D>(s.F.cdata(), i);
-            const SolidTensor<D> G = cofactor(F);
             storeCpi
             (
                 s.Cpi.data() + i*s.strideCpi,
-                flownCpi(trial, flow.shrink, G, determinant(F, G))
+                flownCpi
+                (
+                    trial, flow.shrink,
+                    naturalF<D, stretched>(initial(), s, i)
+                )
             );
-            dissipated += takeFlow(s, i, weight[i], flow.increment, flow.work);
+            dissipated += takeFlow
+            (
+                s, i, weight[i], flow.increment,
+                perMesh<stretched>(flow.work, i)
+            );
         }
-    });
+    };
+    forTrialStates<D, stretched>(initial(), s, mu(), atNode);
     return dissipated;
 }
 
@@ -410,7 +446,31 @@ Foam::scalar Foam::HenckyVonMises::takeKeptFlow
 }
 
 
-template<int D, class TrialState>
+template<bool stretched>
+inline Foam::scalar Foam::HenckyVonMises::perMesh
+(
+    const scalar natural,
+    const label i
+) const
+{
+    return stretched ? natural/initial().J(i) : natural;
+}
+
+
+template<bool stretched, int D>
+inline Foam::scalar Foam::HenckyVonMises::naturalJ
+(
+    const conservedState& s,
+    const label i
+) const
+{
+    const scalar J =
+        s.solvesJ ? s.J[i] : determinant(loadF<D>(s.F.cdata(), i));
+    return stretched ? J*initial().J(i) : J;
+}
+
+
+template<int D, bool stretched, class TrialState>
 Foam::scalar Foam::HenckyVonMises::energyOf
 (
     const conservedState& s,
@@ -418,15 +478,14 @@ Foam::scalar Foam::HenckyVonMises::energyOf
     const TrialState& trial
 ) const
 {
-    const scalar J =
-        s.solvesJ ? s.J[i] : determinant(loadF<D>(s.F.cdata(), i));
+    const scalar J = naturalJ<stretched, D>(s, i);
     scalar sum = 0;
     for (int k = 0; k < 3; ++k) sum += sqr(trial.deviator[k]);
-    return mu()*sum + 0.5*kappa()*sqr(std::log(J));
+    return perMesh<stretched>(mu()*sum + 0.5*kappa()*sqr(std::log(J)), i);
 }
 
 
-template<int D>
+template<int D, bool stretched>
 Foam::tensor Foam::HenckyVonMises::CauchyOfDim
 (
     const conservedState& s,
@@ -434,9 +493,11 @@ Foam::tensor Foam::HenckyVonMises::CauchyOfDim
 ) const
 {
     // Committed states are elastic
-    const SolidTensor<D> F = loadF<D>(s.F.cdata(), i);
-    const scalar J = s.solvesJ ? s.J[i] : determinant(F);
-    const trialState<D> trial(F, loadCpi<D>(s, i), mu());
+    const trialState<D> trial
+    (
+        naturalF<D, stretched>(initial(), s, i), loadCpi<D>(s, i), mu()
+    );
+    const scalar J = naturalJ<stretched, D>(s, i);
     scalar tau[3];
     for (int k = 0; k < 3; ++k)
     {
@@ -559,9 +620,9 @@ void Foam::HenckyVonMises::stress
 {
     withHardening([&](const auto& h)
     {
-        withDirections(s.nDim, [&](auto D)
+        withScene(s, [&](auto D, auto stretched)
         {
-            stressLoop<D.value>(h, s, P, SigmaJ, stride);
+            stressLoop<D.value, stretched.value>(h, s, P, SigmaJ, stride);
         });
     });
 }
@@ -578,9 +639,9 @@ Foam::scalar Foam::HenckyVonMises::commit
       ? takeKeptFlow(s, weight)
       : withHardening([&](const auto& h)
         {
-            return withDirections(s.nDim, [&](auto D)
+            return withScene(s, [&](auto D, auto stretched)
             {
-                return commitLoop<D.value>(h, s, weight);
+                return commitLoop<D.value, stretched.value>(h, s, weight);
             });
         });
     s.sinceCommit = 0;
@@ -594,13 +655,14 @@ Foam::scalar Foam::HenckyVonMises::strainEnergy
     const label node
 ) const
 {
-    return withDirections(s.nDim, [&](auto D)
+    return withScene(s, [&](auto D, auto stretched)
     {
         const trialState<D.value> trial
         (
-            loadF<D.value>(s.F.cdata(), node), loadCpi<D.value>(s, node), mu()
+            naturalF<D.value, stretched.value>(initial(), s, node),
+            loadCpi<D.value>(s, node), mu()
         );
-        return energyOf<D.value>(s, node, trial);
+        return energyOf<D.value, stretched.value>(s, node, trial);
     });
 }
 
@@ -611,13 +673,15 @@ Foam::scalar Foam::HenckyVonMises::totalStrainEnergy
     const scalarField& volume
 ) const
 {
-    return withDirections(s.nDim, [&](auto D)
+    return withScene(s, [&](auto D, auto stretched)
     {
+        constexpr bool is = stretched.value;
         scalar sum = 0;
-        forTrialStates<D.value>(s, mu(), [&](const label i, const auto& trial)
+        const auto atNode = [&](const label i, const auto& trial)
         {
-            sum += volume[i]*energyOf<D.value>(s, i, trial);
-        });
+            sum += volume[i]*energyOf<D.value, is>(s, i, trial);
+        };
+        forTrialStates<D.value, is>(initial(), s, mu(), atNode);
         return sum;
     });
 }
@@ -629,9 +693,71 @@ Foam::tensor Foam::HenckyVonMises::CauchyStress
     const label node
 ) const
 {
-    return withDirections(s.nDim, [&](auto D)
+    return withScene(s, [&](auto D, auto stretched)
     {
-        return CauchyOfDim<D.value>(s, node);
+        return CauchyOfDim<D.value, stretched.value>(s, node);
+    });
+}
+
+
+void Foam::HenckyVonMises::waveFactors
+(
+    const conservedState& s,
+    scalarField& factor
+) const
+{
+    materialModel::waveFactors(s, factor);
+    if (!initial().on())
+    {
+        return;
+    }
+
+    const scalar undeformed = kappa() + 4*mu()/3;
+    withDirections(s.nDim, [&](auto directions)
+    {
+        constexpr int D = directions.value;
+        const auto atNode = [&](const label i, const trialState<D>& trial)
+        {
+            const scalar J0 = initial().J(i), J = naturalJ<true, D>(s, i);
+            scalar least = GREAT;
+            for (int k = 0; k < D; ++k)
+            {
+                least = min
+                (
+                    least, 2*mu()*trial.deviator[k] + kappa()*std::log(J)
+                );
+            }
+            // J0 times the square of the Jacobian from the mesh
+            factor[i] = std::sqrt
+            (
+                max(scalar(1), (1 - least/undeformed)*J0/sqr(J))
+            );
+        };
+        forTrialStates<D, true>(initial(), s, mu(), atNode);
+    });
+}
+
+
+Foam::Pair<Foam::scalar> Foam::HenckyVonMises::yieldState
+(
+    const conservedState& s,
+    const label node
+) const
+{
+    return withScene(s, [&](auto D, auto stretched)
+    {
+        const trialState<D.value> trial
+        (
+            naturalF<D.value, stretched.value>(initial(), s, node),
+            loadCpi<D.value>(s, node), mu()
+        );
+        const scalar yield = withHardening([&](const auto& h)
+        {
+            return
+                hardening::softening(h, s.temperature, node)
+               *h.yield(s.epsilonPEq[node]);
+        });
+        return Pair<scalar>(trial.q, yield);
     });
 }
 
