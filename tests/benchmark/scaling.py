@@ -26,7 +26,7 @@ from vertexContactTests.smallCases import RUBBER, Body, SmallCase
 RATE = np.diag((0.1, -0.05, -0.05))
 NETWORK = 2e-6, 10e9        # assumed: latency [s] and bandwidth [bytes/s]
 MANY = 1e8, 1e4             # nodes, ranks
-EXCHANGES = 4               # of gradients and of rates, in both stages
+EXCHANGES = 4               # gradients, corrections, adjoints, forces
 
 
 class Block:
@@ -35,11 +35,12 @@ class Block:
     def __init__(self, folder, cells, ranks):
         self.ranks = ranks
         body = Body(cells=(cells,)*3, material=RUBBER,
+                    scheme={"cells": "simplicialSingle"},
                     velocity=lambda X: (X - 0.5) @ RATE)
         self.deltaT = 0.1/cells
         self.case = SmallCase(folder, body, self.deltaT, control={
-            "deltaT": self.deltaT, "adjustTimeStep": "no", "functions": {},
-            "writeControl": "none"})
+            "preset": "balanced", "deltaT": self.deltaT,
+            "adjustTimeStep": "no", "functions": {}, "writeControl": "none"})
         if ranks > 1:
             self.case.decompose(ranks)
 
@@ -160,8 +161,8 @@ machine, nothing else running.
 The median of nine pairs of runs, next to each other in time; the middle half of their efficiencies is {spread[0]:.3f} to {spread[1]:.3f}.
 Two runs on one rank each, at the same time, take {slower:.3f} times as long as one alone: that much is not the program's.
 
-What a rank of the two sends in a step (two stages; Open MPI's `pml_monitoring`): {messages + reductions:.1f} messages and {size + reduced:,.0f} bytes to its
-neighbour: {EXCHANGES} exchanges of gradients and rates, {bytesShared:,.0f} bytes for each of the {shared:,} nodes that it shares, and {collective:.1f} messages of
+What a rank of the two sends in a step (Open MPI's `pml_monitoring`): {messages + reductions:.1f} messages and {size + reduced:,.0f} bytes to its
+neighbour: {EXCHANGES} exchanges, of gradients, corrections, adjoints and forces, {bytesShared:,.0f} bytes for each of the {shared:,} nodes that it shares, and {collective:.1f} messages of
 reductions (the check of the state, with signals and pairings; a step that adjusts itself needs one more).
 Blocks of 125 nodes take {1e6*s1:.1f} µs a step on one rank and {1e6*s2:.1f} µs on two: {1e6*latency:.2f} µs a message between cores of one machine.
 
