@@ -115,14 +115,21 @@ def image(frame, field, limits, window, width):
         plotter.add_mesh(body, scalars=field.values(body), clim=limits,
                          cmap=field.colours, lighting=False,
                          show_scalar_bar=False)
+    return pixels(plotter, window)
+
+
+def pixels(plotter, window, near=0):
+    """What a plotter has in the window, seen along -z from before near; closes
+    the plotter."""
+    xMin, xMax, yMin, yMax = window
     x, y = (xMin + xMax)/2, (yMin + yMax)/2
-    plotter.camera_position = ((x, y, 1), (x, y, 0), (0, 1, 0))
+    plotter.camera_position = ((x, y, near + 1), (x, y, near), (0, 1, 0))
     plotter.camera.parallel_projection = True
     plotter.camera.parallel_scale = (yMax - yMin)/2
     plotter.renderer.ResetCameraClippingRange()
-    pixels = plotter.screenshot(None, return_img=True)
+    picture = plotter.screenshot(None, return_img=True)
     plotter.close()
-    return pixels
+    return picture
 
 
 def _outlines(body):

@@ -54,14 +54,7 @@ def image(frame, field, limits, window, width, edges=0.5):
             body, scalars=field.values(body), cmap=field.colours, clim=limits,
             ambient=0.55, diffuse=0.9, show_edges=True, edge_color="black",
             edge_opacity=edges, line_width=PIXELS, show_scalar_bar=False)
-    x, y = (xMin + xMax)/2, (yMin + yMax)/2
-    plotter.camera_position = ((x, y, near + 1), (x, y, near), (0, 1, 0))
-    plotter.camera.parallel_projection = True
-    plotter.camera.parallel_scale = (yMax - yMin)/2
-    plotter.renderer.ResetCameraClippingRange()
-    pixels = plotter.screenshot(None, return_img=True)
-    plotter.close()
-    return pixels
+    return drawFields.pixels(plotter, window, near)
 
 
 def draw(file, frames, field, timeUnit, columns, width=10, percentile=2,

@@ -135,6 +135,22 @@ SolidTensor<D> naturalF
     return F;
 }
 
+//- Trial state of a node
+template<int D, bool stretched>
+trialState<D> trialAt
+(
+    const initialStretch& initial,
+    const conservedState& s,
+    const label i,
+    const scalar mu
+)
+{
+    return trialState<D>
+    (
+        naturalF<D, stretched>(initial, s, i), loadCpi<D>(s, i), mu
+    );
+}
+
 //- Flow of a node from its trial state: growth of the equivalent plastic
 //  strain, what is left of the trial stress, and the work of the flow by volume
 //  of the natural state [J/m3]
@@ -174,18 +190,16 @@ struct flowState
     }
 };
 
-//- Cp^-1 after the flow, F^-1 b_e F^-T with the cofactor of F, which is that
-//  from the natural state
+//- Cp^-1 after the flow, F^-1 b_e F^-T with the cofactor G of F
 template<int D>
 SolidTensor<D> flownCpi
 (
     const trialState<D>& trial,
     const scalar shrink,
-    const SolidTensor<D>& F
+    const SolidTensor<D>& G,
+    const scalar detF
 )
 {
-    const SolidTensor<D> G = cofactor(F);
-    const scalar detF = determinant(F, G);
     scalar square[3];
     for (int k = 0; k < 3; ++k)
     {
@@ -209,7 +223,22 @@ SolidTensor<D> flownCpi
             C(a, b) = perSquare*sum;
         }
     }
-    C.out = be.out/sqr(F.out);
+    C.out = be.out;
+    return C;
+}
+
+//- The same with F from the natural state
+template<int D>
+SolidTensor<D> flownCpi
+(
+    const trialState<D>& trial,
+    const scalar shrink,
+    const SolidTensor<D>& F
+)
+{
+    const SolidTensor<D> G = cofactor(F);
+    SolidTensor<D> C = flownCpi(trial, shrink, G, determinant(F, G));
+    C.out /= sqr(F.out);
     return C;
 }
 
@@ -326,15 +355,17 @@ void Foam::HenckyVonMises::stressLoop
             if (flow.increment > 0)
             {
                 s.flow.work[i] = perMesh<stretched>(flow.work, i);
-                storeCpi
-                (
-                    s.flow.Cpi.data() + i*s.strideCpi,
-                    flownCpi
-                    (
-                        trial, flow.shrink,
-                        naturalF<D, stretched>(initial(), s, i)
-                    )
-                );
+                scalar* flown = s.flow.Cpi.data() + i*s.strideCpi;
+                if constexpr (stretched)
+                {
+                    const SolidTensor<D> natural =
+                        naturalF<D, true>(initial(), s, i);
+                    storeCpi(flown, flownCpi(trial, flow.shrink, natural));
+                }
+                else
+                {
+                    storeCpi(flown, flownCpi(trial, flow.shrink, G, detF));
+                }
             }
         }
 
@@ -493,10 +524,7 @@ Foam::tensor Foam::HenckyVonMises::CauchyOfDim
 ) const
 {
     // Committed states are elastic
-    const trialState<D> trial
-    (
-        naturalF<D, stretched>(initial(), s, i), loadCpi<D>(s, i), mu()
-    );
+    const trialState<D> trial(trialAt<D, stretched>(initial(), s, i, mu()));
     const scalar J = naturalJ<stretched, D>(s, i);
     scalar tau[3];
     for (int k = 0; k < 3; ++k)
@@ -657,12 +685,11 @@ Foam::scalar Foam::HenckyVonMises::strainEnergy
 {
     return withScene(s, [&](auto D, auto stretched)
     {
-        const trialState<D.value> trial
+        return energyOf<D.value, stretched.value>
         (
-            naturalF<D.value, stretched.value>(initial(), s, node),
-            loadCpi<D.value>(s, node), mu()
+            s, node,
+            trialAt<D.value, stretched.value>(initial(), s, node, mu())
         );
-        return energyOf<D.value, stretched.value>(s, node, trial);
     });
 }
 
@@ -746,18 +773,17 @@ Foam::Pair<Foam::scalar> Foam::HenckyVonMises::yieldState
 {
     return withScene(s, [&](auto D, auto stretched)
     {
-        const trialState<D.value> trial
-        (
-            naturalF<D.value, stretched.value>(initial(), s, node),
-            loadCpi<D.value>(s, node), mu()
-        );
         const scalar yield = withHardening([&](const auto& h)
         {
             return
                 hardening::softening(h, s.temperature, node)
                *h.yield(s.epsilonPEq[node]);
         });
-        return Pair<scalar>(trial.q, yield);
+        return Pair<scalar>
+        (
+            trialAt<D.value, stretched.value>(initial(), s, node, mu()).q,
+            yield
+        );
     });
 }
 
