@@ -263,7 +263,6 @@ public:
         y = Zero;
         zero(more_);
         const scalar wave = 0.5*ofC_*x_.frontEpsilon;
-        const scalar volume = 0.25*ofC_*x_.volumeImpedance/d_.rho/(D + 1);
         forEdges([&]
         (
             const index e, const index a, const index b,
@@ -271,12 +270,10 @@ public:
         )
         {
             vec change{}, difference{};
-            scalar trace = 0;
             for (int j = 0; j < D; ++j)
             {
                 const vec ga = column(grad_, a, j), gb = column(grad_, b, j);
                 change += (0.5*r[j])*(ga + gb);
-                trace += ga[j] - gb[j];
                 difference +=
                     (0.5*x_.beta*C[j])
                    *(column(stress_, a, j) - column(stress_, b, j));
@@ -296,15 +293,12 @@ public:
             rowAt<4>(y.data() + 4*b) += s + elastic;
 
             const vec both = -0.5*(s - (dot(s, r)*perLength2)*r + elastic);
-            const scalar q = volume*dot(C, r)*std::sqrt(dot(r, r))*trace;
             for (int j = 0; j < D; ++j)
             {
                 vec& Ta = column(more_, a, j);
                 vec& Tb = column(more_, b, j);
                 Ta += r[j]*(both + difference);
                 Tb += r[j]*(both - difference);
-                Ta[j] += q;
-                Tb[j] -= q;
             }
         });
         complete(more_);

@@ -42,7 +42,7 @@ inline row<4> variationalKernelTemplate<D, finite>::waveArea3
 
 
 template<int D, bool finite>
-template<bool corrects, bool volume>
+template<bool corrects>
 void variationalKernelTemplate<D, finite>::fluxLoop
 (
     vertexData& d,
@@ -52,7 +52,6 @@ void variationalKernelTemplate<D, finite>::fluxLoop
     const scalar* P = d.W.cdata() + d.offsetP();
     const scalar* H = d.state.H.cdata();
     scalar* sensor = x.sensor.data();
-    const scalar* grad = x.grad.cdata();
     scalar* U = x.U.data();
     scalar* rates = d.rates.data();
     scalar* adjoint = x.adjoint.data();
@@ -270,10 +269,9 @@ void variationalKernelTemplate<D, finite>::fluxLoop
         (
             x.motion.cdata() + e*nM, reinterpret_cast<const lanes*>(dx)
         );
-        lanes fast;
         const lanes leftOut = jumpSensor::leftOut<D, lanes>
         (
-            S, M, N, smallerM, d.cp, fast
+            S, M, N, smallerM, d.cp
         );
         const edgeDissipation<D, lanes> f
         (
@@ -282,34 +280,11 @@ void variationalKernelTemplate<D, finite>::fluxLoop
             halfZp, halfZs
         );
 
-        // Differences of the rate of the volume
-        lanes q{};
-        if constexpr (volume)
-        {
-            lanes Cr{}, rr{}, difference{};
-            for (int j = 0; j < D; ++j)
-            {
-                const lanes rj = laneAt(r, j);
-                Cr += laneAt(C, j)*rj;
-                rr += rj*rj;
-                const scalar* trace = grad + j*sA + second + j;
-                difference += lanesByOne([&](const int l)
-                {
-                    return
-                        trace[index(ends[2*l])*D*sA]
-                      - trace[index(ends[2*l + 1])*D*sA];
-                });
-            }
-            q =
-                (0.25*x.volumeImpedance/(D + 1))*fast*Cr
-               *rr*inverseSquareRoot(rr)*difference;
-        }
-
         // To the nodes
         if constexpr (D == 3)
         {
             lanes out[8] =
-                {f.s[0], f.s[1], f.s[2], lanes{}, f.z[0], f.z[1], f.z[2], q};
+                {f.s[0], f.s[1], f.s[2], lanes{}, f.z[0], f.z[1], f.z[2]};
             alignas(registerBytes) row<8> rows[nLanes];
             rowsOf(rows, out);
             for (int l = 0; l < block.size(); ++l)
@@ -340,17 +315,6 @@ void variationalKernelTemplate<D, finite>::fluxLoop
                         halves(r[j*nLanes + l], dx[j*nLanes + l]);
                     first.X[j] += by*sums;
                     rowAt<8>(Xb + j*sA) += by*(sign*sums);
-                }
-                if constexpr (volume)
-                {
-                    const scalar ql = rows[l][7];
-                    for (int j = 0; j < D; ++j)
-                    {
-                        row<8> diagonal{};
-                        diagonal[second + j] = 1;
-                        first.X[j] += ql*diagonal;
-                        Xb[j*sA + second + j] -= ql;
-                    }
                 }
                 first.rates += s;
                 rowAt<4>(rates + b*sR + second) -= s;
@@ -385,15 +349,7 @@ void variationalKernelTemplate<D, finite>::fluxLoop
                 }
                 constexpr row<8> sign = {-1, -1, 1, 1, -1, -1, 1, 1};
                 first.X[0] += rows[l];
-                row<8> toB = sign*rows[l];
-                if constexpr (volume)
-                {
-                    constexpr row<8> diagonal = {0, 0, 1, 0, 0, 0, 0, 1};
-                    const row<8> ql = q[l]*diagonal;
-                    first.X[0] += ql;
-                    toB -= ql;
-                }
-                rowAt<8>(Xb) += toB;
+                rowAt<8>(Xb) += sign*rows[l];
                 const row<2>& s = force[l];
                 first.rates += s;
                 rowAt<2>(rates + b*sR + second) -= s;
@@ -404,7 +360,7 @@ void variationalKernelTemplate<D, finite>::fluxLoop
             const lanes toFirst = corrects ? more[0]*laneAt(r, 0) : lanes{};
             const lanes toSecond = f.z[0]*laneAt(dx, 0);
             alignas(registerBytes) row<4> rows[nLanes];
-            fourRowsOf(rows, {toFirst, toSecond, f.s[0], q});
+            fourRowsOf(rows, {toFirst, toSecond, f.s[0], lanes{}});
             for (int l = 0; l < block.size(); ++l)
             {
                 const index a = ends[2*l], b = ends[2*l + 1];
@@ -412,11 +368,6 @@ void variationalKernelTemplate<D, finite>::fluxLoop
                 constexpr row<2> sign = {-1, 1};
                 rowAt<2>(adjoint + a*sA) += rowAt<2>(f);
                 rowAt<2>(adjoint + b*sA) += sign*rowAt<2>(f);
-                if constexpr (volume)
-                {
-                    adjoint[a*sA + 1] += f[3];
-                    adjoint[b*sA + 1] -= f[3];
-                }
                 rates[a*sR + 1] += f[2];
                 rates[b*sR + 1] -= f[2];
             }
@@ -437,15 +388,7 @@ void variationalKernelTemplate<D, finite>::fluxes
     variationalData& x
 ) const
 {
-    const bool volume = x.volumeImpedance > 0;
-    if (x.beta > 0)
-    {
-        volume ? fluxLoop<true, true>(d, x) : fluxLoop<true, false>(d, x);
-    }
-    else
-    {
-        volume ? fluxLoop<false, true>(d, x) : fluxLoop<false, false>(d, x);
-    }
+    x.beta > 0 ? fluxLoop<true>(d, x) : fluxLoop<false>(d, x);
 }
 
 

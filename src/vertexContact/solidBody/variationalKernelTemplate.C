@@ -342,18 +342,8 @@ lanes variationalKernelTemplate<D, finite>::timeScales
             squares += scalar(i == j ? 1 : 2)*waves[k]*waves[k];
         }
     }
-    lanes damping =
+    const lanes damping =
         (0.5*x.frontEpsilon)*perV*largestOf(trace, squares);
-    if (x.smoothed)
-    {
-        // Of the waves of largest frequency half is in the differences
-        const lanes perH =
-            D == 1 ? perV
-          : D == 2 ? squareRoot(perV)
-          : reciprocal(inverseCubeRoot(perV));
-        damping +=
-            (0.125*x.volumeImpedance/(d.rho*d.cp*d.cp))*square*reciprocal(perH);
-    }
     return
         (2*x.stepRatio)
        *reciprocal(squareRoot(damping*damping + square) + damping);

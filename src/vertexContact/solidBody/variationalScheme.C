@@ -63,11 +63,7 @@ void Foam::variationalScheme::boundFrequencies()
     dual_.sharing().sum(x_.perEdges.data(), 1);
     for (scalar& n : x_.perEdges) n = 1/n;
 
-    if (x_.smoothed)
-    {
-        x_.volumeImpedance = std::sqrt(data_.rho*material_.kappa());
-        findFilter();
-    }
+    if (x_.smoothed) findFilter();
 
     findJumpStiffness();
 
@@ -115,10 +111,13 @@ void Foam::variationalScheme::smoothJacobian()
         dual_.sharing().sum(x_.average.data(), 1);
         for (scalar& r : x_.average) r *= -x_.filter;
     };
-    removed();
     x_.unsmoothed = x_.jacobian;
-    x_.jacobian = x_.average;
     removed();
+    for (label power = 1; power < 3; ++power)
+    {
+        x_.jacobian = x_.average;
+        removed();
+    }
     forAll(x_.jacobian, a) x_.jacobian[a] = x_.unsmoothed[a] - x_.average[a];
 }
 
@@ -336,7 +335,6 @@ void Foam::variationalScheme::move(const scalar deltaT, const scalar half)
 
 void Foam::variationalScheme::scaleMass(const scalar factor)
 {
-    x_.volumeImpedance *= std::sqrt(factor);
     largestFrequency_ /= std::sqrt(factor);
 }
 
