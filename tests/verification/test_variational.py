@@ -51,8 +51,9 @@ def test_energy_is_of_second_order(tmp_path, figures):
         f.atMost("balance / initial energy at maxCo 0.2", fine, 1e-3)
 
 
-# Round-off of a displacement of 8,000 cells, times kappa/mu
-@pytest.mark.parametrize("material, limit", ((RUBBER, 1e-9), (STEEP, 1e-7)),
+# Round-off of a displacement of 8,000 cells, times kappa/mu; nothing damps the
+# waves of pressure that it makes
+@pytest.mark.parametrize("material, limit", ((RUBBER, 1e-9), (STEEP, 2e-7)),
                          ids=("0.3", "0.4995"))
 def test_superposed_velocity(tmp_path, figures, material, limit):
     """A thousand metres per second more change nothing."""
