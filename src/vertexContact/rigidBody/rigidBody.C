@@ -128,7 +128,7 @@ void Foam::rigidBody::readFreedoms
             rotation_ = freedom::axis;
             axis_ = n;
         }
-        else if (rotation_ == freedom::axis && mag(axis_ & n) < 1 - 1e-6)
+        else if (rotation_ == freedom::axis && mag(axis_ & n) < alongAxis)
         {
             rotation_ = freedom::none;
         }
@@ -316,10 +316,6 @@ Foam::rigidBody::rigidBody
     if (dict.found("motion"))
     {
         motion_.reset(new obstacleMotion(dict, runTime));
-        motion_->setInterval
-        (
-            1e-6*(runTime.endTime().value() - runTime.startTime().value())
-        );
     }
     readFreedoms(dict, mirrors);
 

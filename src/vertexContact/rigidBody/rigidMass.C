@@ -18,6 +18,10 @@ namespace
 
 using namespace Foam;
 
+//- Part of the largest principal moment by which it may be more than the sum of
+//  the others: that of a lamina is the sum, in six digits
+constexpr scalar lamina = 1e-6;
+
 //- Integrals over the cells of a mesh
 struct moments
 {
@@ -31,7 +35,7 @@ struct moments
         const scalar V = ((a ^ b) & c)/6;
         const vector sum(a + b + c);
         volume += V;
-        first += 0.25*V*sum;
+        first += V/4*sum;
         second += V/20*(sqr(a) + sqr(b) + sqr(c) + sqr(sum));
     }
 };
@@ -140,13 +144,12 @@ Foam::rigidMass::rigidMass(const dictionary& dict, const medianDual& dual)
           ? freeRotation(inertia).moments()
           : vector(0, 0, 0)
         );
-        // Of a lamina one is the sum of both others
         if
         (
             d == 3
          && !(
                 moments.x() > 0
-             && moments.x() + moments.y() > moments.z()*(1 - 1e-6)
+             && moments.x() + moments.y() > moments.z()*(1 - lamina)
             )
         )
         {

@@ -263,7 +263,7 @@ public:
         y = Zero;
         zero(more_);
         const scalar wave = 0.5*ofC_*x_.frontEpsilon;
-        const scalar volume = 0.25*ofC_*x_.volumeImpedance/d_.rho/(D + 1);
+        const scalar volume = ofC_*x_.volumeResistance/d_.rho/(D + 1);
         forEdges([&]
         (
             const index e, const index a, const index b,

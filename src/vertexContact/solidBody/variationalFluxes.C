@@ -301,7 +301,7 @@ void variationalKernelTemplate<D, finite>::fluxLoop
                 });
             }
             q =
-                (0.25*x.volumeImpedance/(D + 1))*fast*Cr
+                (x.volumeResistance/(D + 1))*fast*Cr
                *rr*inverseSquareRoot(rr)*difference;
         }
 
@@ -437,7 +437,7 @@ void variationalKernelTemplate<D, finite>::fluxes
     variationalData& x
 ) const
 {
-    const bool volume = x.volumeImpedance > 0;
+    const bool volume = x.volumeResistance > 0;
     if (x.beta > 0)
     {
         volume ? fluxLoop<true, true>(d, x) : fluxLoop<true, false>(d, x);

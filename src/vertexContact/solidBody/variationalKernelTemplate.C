@@ -352,7 +352,7 @@ lanes variationalKernelTemplate<D, finite>::timeScales
           : D == 2 ? squareRoot(perV)
           : reciprocal(inverseCubeRoot(perV));
         damping +=
-            (0.125*x.volumeImpedance/(d.rho*d.cp*d.cp))*square*reciprocal(perH);
+            (0.5*x.volumeResistance/(d.rho*d.cp*d.cp))*square*reciprocal(perH);
     }
     return
         (2*x.stepRatio)

@@ -65,7 +65,7 @@ void Foam::variationalScheme::boundFrequencies()
 
     if (x_.smoothed)
     {
-        x_.volumeImpedance = std::sqrt(data_.rho*material_.kappa());
+        x_.volumeResistance = 0.25*std::sqrt(data_.rho*material_.kappa());
         findFilter();
     }
 
@@ -336,7 +336,7 @@ void Foam::variationalScheme::move(const scalar deltaT, const scalar half)
 
 void Foam::variationalScheme::scaleMass(const scalar factor)
 {
-    x_.volumeImpedance *= std::sqrt(factor);
+    x_.volumeResistance *= std::sqrt(factor);
     largestFrequency_ /= std::sqrt(factor);
 }
 

@@ -10,6 +10,7 @@ Description
 
 #include "solidSystem.H"
 #include "passTimes.H"
+#include "wholeSteps.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -115,10 +116,12 @@ void Foam::solidSystem::solveInBlocks
     {
         // Blocks are multiples; that of the shortest step is this step. Before
         // the first common step there was none to have a mean with
-        const bool differ = commonStep_ > 0 && max(blocks) > 1.5*deltaT;
+        const bool differ =
+            last_.whole > 0 && wholeSteps::several(max(blocks), deltaT);
         forAll(bodies_, i)
         {
-            if (differ || blocks[i] > 1.5*deltaT)
+            const bool isLong = wholeSteps::several(blocks[i], deltaT);
+            if (differ || isLong)
             {
                 bodies_[i].contact().setBlock(deltaT, blocks[i]);
             }
@@ -126,7 +129,7 @@ void Foam::solidSystem::solveInBlocks
             {
                 bodies_[i].contact().setStep(deltaT);
             }
-            if (blocks[i] > 1.5*deltaT) bodies_[i].placeSurface(afters[i]);
+            if (isLong) bodies_[i].placeSurface(afters[i]);
             bodies_[i].contact().clearAll();
         }
         contacts_.solve(time, true);
@@ -155,7 +158,7 @@ void Foam::solidSystem::evaluateInBlocks(const scalar time, const bool moved)
         const scalarField afters(bodies_.size(), 0.5*shortStep_);
         forAll(bodies_, i)
         {
-            if (blocks[i] > 1.5*deltaT) bodies_[i].startBlock();
+            if (wholeSteps::several(blocks[i], deltaT)) bodies_[i].startBlock();
         }
         solveInBlocks
         (
@@ -163,7 +166,8 @@ void Foam::solidSystem::evaluateInBlocks(const scalar time, const bool moved)
         );
         forAll(bodies_, i)
         {
-            if (blocks[i] > 1.5*deltaT) bodies_[i].putSurfaceBack();
+            if (!wholeSteps::several(blocks[i], deltaT)) continue;
+            bodies_[i].putSurfaceBack();
         }
     };
     solve(shortStep_);

@@ -422,7 +422,7 @@ TEST_CASE("step limit of stiffness and dissipation", "[variational][serial]")
         {
             s.x.jumpStiffness[e] = 0.1*(1 + e % 3);
         }
-        s.x.volumeImpedance = 0.5*s.d.rho*s.d.cp;
+        s.x.volumeResistance = 0.125*s.d.rho*s.d.cp;
         const symmetryConstraint symmetry(s.dual, labelList());
         const scalar tau = stepLimit(s.d, s.x, symmetry).step();
 

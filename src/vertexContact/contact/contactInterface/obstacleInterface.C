@@ -316,16 +316,13 @@ Foam::obstacleInterface::obstacleInterface
             << side_.body->name() << "', nor an obstacle" << exit(FatalIOError);
     }
 
-    // A hundredth of the time that a wave takes through a face; of rigid
-    // regions a millionth of the run
-    const Time& run = side_.body->mesh().time();
-    motion_.setInterval
-    (
-        side_.body->rigid()
-      ? 1e-6*(run.endTime().value() - run.startTime().value())
-      : 0.01*leastWidth_/side_.body->material().cp()
-    );
-
+    if (!side_.body->rigid())
+    {
+        motion_.setInterval
+        (
+            obstacleMotion::ofWave*leastWidth_/side_.body->material().cp()
+        );
+    }
     update(side_.body->mesh().time().value(), true);
 }
 

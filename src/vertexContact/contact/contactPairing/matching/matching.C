@@ -80,7 +80,7 @@ void Foam::contactPairings::matching::identify
 
         for (label k = start; k < end; ++k)
         {
-            allPlaces[k] = 0.75*X(k) + 0.25*centre;
+            allPlaces[k] = (1 - inward)*X(k) + inward*centre;
             allSizes[k] =
                 end - start > 1
               ? mag(X(k) - centre)
