@@ -29,7 +29,7 @@ struct moments
     vector first = vector::zero;
     symmTensor second = symmTensor::zero;
 
-    //- Of the tetrahedron with the origin
+    //- Of the tetrahedron with the origin: means of x and x x over it
     void add(const vector& a, const vector& b, const vector& c)
     {
         const scalar V = ((a ^ b) & c)/6;
@@ -86,16 +86,6 @@ Foam::rigidMass::rigidMass(const dictionary& dict, const medianDual& dual)
 
     const polyMesh& mesh = dual.mesh();
     const label d = dual.nDim();
-    const auto plane = [&](const vector& v)
-    {
-        vector w(Zero);
-        for (label i = 0; i < d; ++i)
-        {
-            w[dual.directions()[i]] = v[dual.directions()[i]];
-        }
-        return w;
-    };
-
     scalar volume = 0;
     const auto& owned = dual.sharing().owned();
     forAll(owned, a)
@@ -108,7 +98,7 @@ Foam::rigidMass::rigidMass(const dictionary& dict, const medianDual& dual)
     moments m(integrals(mesh, mesh.bounds().midpoint()));
     const point middle(mesh.bounds().midpoint() + m.first/m.volume);
     m = integrals(mesh, middle);
-    centre = plane(middle);
+    centre = dual.projected(middle);
 
     if (dict.found("rho") == dict.found("mass"))
     {
@@ -133,7 +123,7 @@ Foam::rigidMass::rigidMass(const dictionary& dict, const medianDual& dual)
     inertia = mass/m.volume*inertiaOf(m.second);
     if (dict.found("centreOfMass"))
     {
-        centre = plane(dict.get<point>("centreOfMass"));
+        centre = dual.projected(dict.get<point>("centreOfMass"));
     }
     if (dict.found("inertia"))
     {

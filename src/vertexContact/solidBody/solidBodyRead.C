@@ -172,7 +172,7 @@ Foam::initialStretch Foam::solidBody::readInitialStretch
         {
             FatalFileErrorInFunction(file)
                 << "Keyword 'internalField': F0 is " << F0 << " at "
-                << mesh_.points()[dual_.nodePoint()[a]] << ": " << wrong
+                << meshPoint(a) << ": " << wrong
                 << exit(FatalIOError);
         }
     }

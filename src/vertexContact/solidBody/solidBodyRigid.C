@@ -170,14 +170,7 @@ void Foam::solidBody::fitRigid()
     rigid_->setPose(meanX + meanU - (R & meanX), R);
 
     rigidBody::motionState v;
-    if (d > 1) v.spin = inv(own) & momentum;
-    if (d == 2)
-    {
-        const label out = 3 - dual_.directions()[0] - dual_.directions()[1];
-        const scalar about = v.spin[out];
-        v.spin = vector::zero;
-        v.spin[out] = about;
-    }
+    if (d > 1) v.spin = dual_.turning(inv(own) & momentum);
     v.velocity = meanV - (v.spin ^ (R & meanX));
     const rigidBody::motionState may(rigid_->freePart(v));
     scalar lost = 0;
@@ -316,7 +309,7 @@ void Foam::solidBody::sumContact()
             dual_.nodeVolume()[a]*expand(contact_.forces().cdata() + a*d)
         );
         all.force += f;
-        all.moment += (projected(position(a)) - centre) ^ f;
+        all.moment += (dual_.projected(position(a)) - centre) ^ f;
     }
     const tensor sums
     (

@@ -40,7 +40,7 @@ Foam::string Foam::solidSystem::describeHere
         {
             OStringStream os;
             os  << "region " << body.name() << ", node at "
-                << body.mesh().points()[body.dual().nodePoint()[node]]
+                << body.meshPoint(node)
                 << " (reference) " << body.position(node) << " (current)";
             return os.str();
         }

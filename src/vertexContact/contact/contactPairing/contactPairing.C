@@ -199,7 +199,8 @@ Foam::vector Foam::contactPairing::gapDirection(const dictionary& dict) const
     vector direction(Zero);
     if (dict.found("direction"))
     {
-        direction = minus_.body->projected(dict.get<vector>("direction"));
+        direction =
+            minus_.body->dual().projected(dict.get<vector>("direction"));
         if (mag(direction) < SMALL)
         {
             FatalIOErrorInFunction(dict)

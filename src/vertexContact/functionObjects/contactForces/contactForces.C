@@ -9,14 +9,7 @@
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-namespace Foam
-{
-namespace functionObjects
-{
-    defineTypeNameAndDebug(contactForces, 0);
-    addSolidFunctionObject(contactForces);
-}
-}
+makeSolidFunctionObject(contactForces)
 
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //

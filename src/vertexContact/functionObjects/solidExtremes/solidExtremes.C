@@ -8,14 +8,7 @@
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-namespace Foam
-{
-namespace functionObjects
-{
-    defineTypeNameAndDebug(solidExtremes, 0);
-    addSolidFunctionObject(solidExtremes);
-}
-}
+makeSolidFunctionObject(solidExtremes)
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -71,8 +64,7 @@ void Foam::functionObjects::solidExtremes::observe()
                 if (a < 0) continue;
                 both[side].time = runTime_.value();
                 both[side].position = body.position(a);
-                both[side].reference =
-                    body.mesh().points()[body.dual().nodePoint()[a]];
+                both[side].reference = body.meshPoint(a);
             }
         }
     }

@@ -15,14 +15,7 @@
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-namespace Foam
-{
-namespace contactPairings
-{
-    defineTypeNameAndDebug(nearestFace, 0);
-    addListedModel(contactPairing, nearestFace);
-}
-}
+makeContactPairing(nearestFace)
 
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -285,7 +278,7 @@ Foam::contactPairings::nearestFace::nearestFace
     checkKeywords(dict, keywords());
     updateDistance_ = dictionaryCheck::readNumberOrDefault
     (
-        dict, "updateDistance", dimless, surfaceMotion::usualDistance
+        dict, keywords(), "updateDistance", dimless
     );
     dictionaryCheck::require
     (
