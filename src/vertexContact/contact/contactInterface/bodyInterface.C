@@ -31,23 +31,6 @@ Foam::contactSide Foam::bodyInterface::readSide
 }
 
 
-bool Foam::bodyInterface::readTwoWay(const dictionary& dict)
-{
-    const word transfer
-    (
-        dict.getOrDefault<word>("transfer", "conservative")
-    );
-    if (transfer != "conservative" && transfer != "twoWay")
-    {
-        dictionaryCheck::unknownModel
-        (
-            dict, "transfer", transfer, wordList({"conservative", "twoWay"})
-        );
-    }
-    return transfer == "twoWay";
-}
-
-
 void Foam::bodyInterface::resize()
 {
     const List<contactOverlap>& overlaps = pairing_->overlaps();
@@ -597,7 +580,7 @@ Foam::bodyInterface::bodyInterface
     contactInterface(name, dict),
     minus_(minus),
     plus_(plus),
-    twoWay_(readTwoWay(dict)),
+    twoWay_(contactPairing::readTwoWay(dict)),
     pairing_(contactPairing::New(dict, minus_, plus_))
 {
     if (twoWay_ && minus_.body->variational())

@@ -172,7 +172,10 @@ Foam::functionObjects::contactForces::contactForces
         (
             frequency > 0, dict, "filterFrequency", frequency, "positive"
         );
-        const label nPoles = dict.getOrDefault<label>("filterPoles", 2);
+        const label nPoles = dictionaryCheck::readOptional<label>
+        (
+            dict, keywords(), "filterPoles"
+        );
         dictionaryCheck::require
         (
             nPoles == 1 || nPoles == 2, dict, "filterPoles", nPoles, "1 or 2"

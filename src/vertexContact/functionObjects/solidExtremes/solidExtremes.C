@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "solidExtremes.H"
+#include "dictionaryCheck.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -83,7 +84,10 @@ Foam::functionObjects::solidExtremes::solidExtremes
     solidFunctionObject(name, runTime, dict),
     selections_(nodeSelection::read(dict, solids_.bodies())),
     fields_(selections_.size()),
-    everyStep_(dict.getOrDefault("everyStep", false))
+    everyStep_
+    (
+        dictionaryCheck::readOptional<bool>(dict, keywords(), "everyStep")
+    )
 {
     checkKeywords(dict, keywords());
 

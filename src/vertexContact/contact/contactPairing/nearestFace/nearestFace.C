@@ -276,7 +276,7 @@ Foam::contactPairings::nearestFace::nearestFace
     plusMotion_(plus)
 {
     checkKeywords(dict, keywords());
-    updateDistance_ = dictionaryCheck::readNumberOrDefault
+    updateDistance_ = dictionaryCheck::readOptional
     (
         dict, keywords(), "updateDistance", dimless
     );
