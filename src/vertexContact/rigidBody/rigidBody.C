@@ -268,21 +268,8 @@ Foam::rigidBody::reaction Foam::rigidBody::reactionOf
 ) const
 {
     reaction r;
-    const vector impulse(linear(now_) - linear(old_) - kick*l.force);
-    const vector twist(angular(now_) - angular(old_) - kick*l.moment);
-    for (label i = 0; i < nDim_; ++i)
-    {
-        r.impulse[directions_[i]] = impulse[directions_[i]];
-    }
-    if (nDim_ == 3)
-    {
-        r.twist = twist;
-    }
-    else if (nDim_ == 2)
-    {
-        const label out = 3 - directions_[0] - directions_[1];
-        r.twist[out] = twist[out];
-    }
+    r.impulse = dual_.projected(linear(now_) - linear(old_) - kick*l.force);
+    r.twist = dual_.turning(angular(now_) - angular(old_) - kick*l.moment);
 
     // A pivot does none
     if (motion_.valid())

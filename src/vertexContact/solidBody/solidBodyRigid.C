@@ -17,6 +17,23 @@ Description
 #include "regionFiles.H"
 #include "Time.H"
 
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Of the energy of a rigid body at the start, what is not its motion:
+//  velocities that are written with six digits
+constexpr Foam::scalar largestLost = 1e-12;
+
+//- Square of the change with which the polar decomposition ends: round-off of
+//  nine components; and most passes, for it converges from everywhere
+constexpr Foam::scalar turnedEnough = 1e-30;
+constexpr Foam::label mostTurns = 100;
+
+} // End anonymous namespace
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::solidBody::makeRigid()

@@ -118,8 +118,7 @@ void Foam::solidSystem::stopStep
         bodies_[i].restoreOld();
     }
     contacts_.restoreStart();
-    commonStep_ = oldCommonStep_;
-    shortStep_ = oldShortStep_;
+    last_ = old_;
     runTime_.setTime(startOfStep_, runTime_.timeIndex() - 1);
     if (integrator_.leapfrog())
     {

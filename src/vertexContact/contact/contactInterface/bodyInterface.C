@@ -93,8 +93,6 @@ void Foam::bodyInterface::setKernel()
     closed_.setSize(n, false);
     if (!pairing_->active()) return;
 
-    const labelList& minusNode =
-        body.corners(minus_.patchi).geometry.cornerNode;
     // Where what is bonded began, of the plus side where it is asked for
     pointField plus;
     scalarField firstGap;
@@ -112,6 +110,8 @@ void Foam::bodyInterface::setKernel()
         exchange_.toSlots(plus);
     }
 
+    const labelList& minusNode =
+        body.corners(minus_.patchi).geometry.cornerNode;
     nNodes_ = 1;
     forAll(overlaps, o)
     {
