@@ -227,6 +227,12 @@ def test_equations():
     assert bad == []
 
 
+# Constants with a point or an exponent; folders of which none is of the scheme
+CONSTANT = re.compile(r"(?:constexpr|static const) (?:Foam::)?(?:scalar|double) "
+                      r"(\w+) = [^;]*\d(?:\.\d|e-?\d)")
+REPORTS = ("passTimes", "dryRun", "solidFunctionObject")
+
+
 def test_numbers():
     """Each number of the scheme stands in a line of its file, with its name or
     below it, and each test that shows one is there."""
@@ -245,6 +251,15 @@ def test_numbers():
             if token.startswith("test_") and not list(
                     (root/"tests").glob(f"*/{token}")):
                 bad.append(f"{name}: no {token}")
+
+    # And each constant of the source that is no number of others
+    section = (SOURCE/"README.md").read_text().split(
+        "## Numbers of the scheme\n", 1)[1].split("\n## ", 1)[0]
+    bad += [f"{name} of {file.name} is not in the tables"
+            for file in SOURCES if SOURCE in file.parents
+            and file.parent.name not in REPORTS
+            for name in CONSTANT.findall(file.read_text())
+            if f"`{name}`" not in section]
     assert bad == []
 
 

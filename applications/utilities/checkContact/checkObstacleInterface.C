@@ -25,7 +25,7 @@ void Foam::checkInterface
     const contactSide side(contact.sides()[0]);
     const cornerStates& corners = side.body->corners(side.patchi);
     const dualPatch& patch = corners.geometry;
-    const scalarField& depth = side.body->depth(side.patchi);
+    const scalarField& depth = side.body->surface(side.patchi).depth;
     const label n = patch.nCorners();
 
     const labelHashSet near(contact.nearCorners());

@@ -6,6 +6,7 @@
 
 #include "dictionaryCheck.H"
 #include "dimensionedScalar.H"
+#include "IStringStream.H"
 #include <cmath>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -184,6 +185,39 @@ Foam::scalar Foam::dictionaryCheck::readNumberOrDefault
 )
 {
     return dict.found(keyword) ? readNumber(dict, keyword, dims) : deflt;
+}
+
+
+Foam::dictionary Foam::dictionaryCheck::defaultOf
+(
+    const keywordList& described,
+    const word& keyword
+)
+{
+    for (const keywordList::keyword& k : described.all)
+    {
+        if (k.name == keyword)
+        {
+            return dictionary(IStringStream(k.name + ' ' + k.deflt + ';')());
+        }
+    }
+    FatalErrorInFunction
+        << "Keyword '" << keyword << "' is not described"
+        << abort(FatalError);
+    return dictionary();
+}
+
+
+Foam::scalar Foam::dictionaryCheck::readOptional
+(
+    const dictionary& dict,
+    const keywordList& described,
+    const word& keyword,
+    const dimensionSet& dims
+)
+{
+    const scalar deflt = defaultOf(described, keyword).get<scalar>(keyword);
+    return readNumberOrDefault(dict, keyword, dims, deflt);
 }
 
 

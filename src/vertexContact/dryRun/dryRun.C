@@ -22,6 +22,9 @@ using namespace Foam;
 //- Time for which steps are tried, unless the run is shorter [s]
 constexpr double trialSeconds = 1;
 
+//- Share by which the number of steps grows that is worth a line
+constexpr scalar worthTelling = 0.02;
+
 //- Largest memory that the process has had so far [bytes]
 double largestMemory()
 {
@@ -181,7 +184,7 @@ void Foam::dryRun(solidSystem& solids, Time& runTime, OSstream& os)
         const scalar more =
             0.5*(stable/solids.timeStepLimit() - 1)*(end - startOfRun)
            /(runTime.value() - startOfRun);
-        if (adjusts && more > 0.02)
+        if (adjusts && more > worthTelling)
         {
             os  << "    " << readingSeconds + steps*(1 + more)*perStep
                 << " s if the stable step goes on falling: by "

@@ -29,16 +29,18 @@ namespace
 
 using namespace Foam;
 
-void writeHeading(Ostream& os, const char* what)
-{
-    os  << what << nl << nl;
-}
-
 void writeKeywords(Ostream& os, const char* of, const keywordList& keywords)
 {
     os  << of << nl;
     keywords.write(os);
     os  << nl;
+}
+
+//- What is of OpenFOAM
+void writeNames(Ostream& os, const char* of, const wordList& names)
+{
+    os  << of << nl << "    " << dictionaryCheck::listed(names).c_str() << nl
+        << nl;
 }
 
 //- Names, and below each its own keywords
@@ -75,10 +77,6 @@ void writeModels(Ostream& os)
 
 void listMaterials(Ostream& os)
 {
-    writeHeading
-    (
-        os, "Materials: 'type' in constant/<region>/mechanicalProperties"
-    );
     writeKeywords
     (
         os, "all but rigid, with one of (E nu), (mu lambda), (mu kappa)",
@@ -95,12 +93,6 @@ void listMaterials(Ostream& os)
 
 void listStartFields(Ostream& os)
 {
-    writeHeading
-    (
-        os,
-        "Start fields: point fields in <time>/<region>, or with one value in "
-        "<time>, and their types; pointU is required"
-    );
     regionFiles::startFields().write(os);
     os  << nl;
 }
@@ -108,12 +100,6 @@ void listStartFields(Ostream& os)
 
 void listContactLaws(Ostream& os)
 {
-    writeHeading
-    (
-        os,
-        "Contact laws: dictionary 'law' of an interface in "
-        "constant/contactProperties"
-    );
     writeKeywords(os, "all", contactLaw::commonKeywords());
     writeModels<contactLaw>(os);
 }
@@ -121,11 +107,6 @@ void listContactLaws(Ostream& os)
 
 void listPairings(Ostream& os)
 {
-    writeHeading
-    (
-        os,
-        "Pairings: 'pairing' of an interface in constant/contactProperties"
-    );
     writeKeywords(os, "all", contactPairing::commonKeywords());
     writeModels<contactPairing>(os);
     writeKeywords
@@ -143,64 +124,35 @@ void listPairings(Ostream& os)
         os, "'motion' of an obstacle, and of a rigid region",
         obstacleMotion::keywords()
     );
-    os  << "'type' of an obstacle (searchableSurface of OpenFOAM)" << nl
-        << "    "
-        << dictionaryCheck::listed
-           (
-               searchableSurface::dictConstructorTablePtr_->sortedToc()
-           ).c_str()
-        << nl << nl
-        << "'solidBodyMotionFunction' of a motion (of OpenFOAM)" << nl
-        << "    "
-        << dictionaryCheck::listed
-           (
-               solidBodyMotionFunction::dictionaryConstructorTablePtr_
-             ->sortedToc()
-           ).c_str()
-        << nl << nl;
+    writeNames
+    (
+        os, "'type' of an obstacle (searchableSurface of OpenFOAM)",
+        searchableSurface::dictConstructorTablePtr_->sortedToc()
+    );
+    writeNames
+    (
+        os, "'solidBodyMotionFunction' of a motion (of OpenFOAM)",
+        solidBodyMotionFunction::dictionaryConstructorTablePtr_->sortedToc()
+    );
 }
 
 
 void listBoundaryConditions(Ostream& os)
 {
-    writeHeading
-    (
-        os, "Boundary conditions: 'type' of a patch in 0/<region>/pointU"
-    );
     writeKeywords(os, "all", solidBoundaryCondition::commonKeywords());
     const auto& keywordsOf =
         *solidBoundaryCondition::keywordsOfModelMemberFunctionTablePtr_;
     writeModels(os, keywordsOf.sortedToc(), keywordsOf);
-    os  << "of OpenFOAM, as mirrors or for directions that are left out" << nl
-        << "    "
-        << dictionaryCheck::listed
-           (
-               solidBoundaryCondition::mirrorNames()
-           ).c_str()
-        << nl << nl;
-}
-
-
-void listBodyForces(Ostream& os)
-{
-    writeHeading
+    writeNames
     (
-        os,
-        "Body forces: 'type' of each dictionary in "
-        "constant/<region>/bodyForces"
+        os, "of OpenFOAM, as mirrors or for directions that are left out",
+        solidBoundaryCondition::mirrorNames()
     );
-    writeModels<bodyForce>(os);
 }
 
 
 void listSchemes(Ostream& os)
 {
-    writeHeading
-    (
-        os,
-        "Schemes: dictionary 'vertexCentred' in system/<region>/fvSchemes, "
-        "defaults of preset balanced and, for the paper's scheme, of paper"
-    );
     const schemeOptions variational(preset(preset::kind::balanced).scheme);
     writeKeywords(os, "all", variational.commonKeywords());
     writeKeywords
@@ -217,12 +169,6 @@ void listSchemes(Ostream& os)
 
 void listPresets(Ostream& os)
 {
-    writeHeading
-    (
-        os,
-        "Presets: 'preset' in system/controlDict; the default is balanced"
-    );
-
     // A row for each option of any, a column for each preset
     const wordList names(preset::names.toc());
     List<keywordList> values(names.size());
@@ -251,13 +197,6 @@ void listPresets(Ostream& os)
 
 void listControls(Ostream& os)
 {
-    writeHeading
-    (
-        os,
-        "Controls: keywords of vertexContact in system/controlDict, defaults "
-        "of preset balanced; <region> is a name, or a regular expression of "
-        "names in quotes"
-    );
     controlKeywords::keywords().write(os);
     os  << nl;
 }
@@ -265,11 +204,6 @@ void listControls(Ostream& os)
 
 void listIntegrators(Ostream& os)
 {
-    writeHeading
-    (
-        os,
-        "Time integrators: 'timeIntegrator' in system/controlDict"
-    );
     for (const word& name : timeIntegrator::names.toc())
     {
         const timeIntegrator integrator(timeIntegrator::names[name]);
@@ -291,12 +225,6 @@ void listIntegrators(Ostream& os)
 
 void listFunctionObjects(Ostream& os)
 {
-    writeHeading
-    (
-        os,
-        "Function objects of vertexContact: 'type' in 'functions' in "
-        "system/controlDict"
-    );
     typedef functionObjects::solidFunctionObject base;
     writeKeywords(os, "all", base::commonKeywords());
     const auto& keywordsOf = *base::keywordsOfModelMemberFunctionTablePtr_;
@@ -304,52 +232,88 @@ void listFunctionObjects(Ostream& os)
 }
 
 
-//- An option and what it does
+//- An option, what the list begins with, and the rest of it
 struct listOption
 {
     const char* name;
     const char* usage;
+    const char* heading;
     void (*write)(Ostream&);
 };
 
 const listOption options[] =
 {
-    {"listMaterials", "List materials and their keywords", listMaterials},
     {
-        "listStartFields", "List fields that a run may begin with",
+        "listMaterials",
+        "List materials and their keywords",
+        "Materials: 'type' in constant/<region>/mechanicalProperties",
+        listMaterials
+    },
+    {
+        "listStartFields",
+        "List fields that a run may begin with",
+        "Start fields: point fields in <time>/<region>, or with one value in "
+        "<time>, and their types; pointU is required",
         listStartFields
     },
     {
-        "listContactLaws", "List contact laws and their keywords",
+        "listContactLaws",
+        "List contact laws and their keywords",
+        "Contact laws: dictionary 'law' of an interface in "
+        "constant/contactProperties",
         listContactLaws
     },
     {
         "listPairings",
         "List pairings of an interface, obstacles, and their keywords",
+        "Pairings: 'pairing' of an interface in constant/contactProperties",
         listPairings
     },
     {
         "listBoundaryConditions",
         "List boundary conditions of pointU and their keywords",
+        "Boundary conditions: 'type' of a patch in 0/<region>/pointU",
         listBoundaryConditions
     },
     {
-        "listBodyForces", "List body forces and their keywords",
-        listBodyForces
+        "listBodyForces",
+        "List body forces and their keywords",
+        "Body forces: 'type' of each dictionary in "
+        "constant/<region>/bodyForces",
+        writeModels<bodyForce>
     },
     {
-        "listSchemes", "List keywords and values of vertexCentred (fvSchemes)",
+        "listSchemes",
+        "List keywords and values of vertexCentred (fvSchemes)",
+        "Schemes: dictionary 'vertexCentred' in system/<region>/fvSchemes, "
+        "defaults of preset balanced and, for the paper's scheme, of paper",
         listSchemes
     },
     {
-        "listControls", "List keywords of controlDict and of slow loading",
+        "listControls",
+        "List keywords of controlDict and of slow loading",
+        "Controls: keywords of vertexContact in system/controlDict, defaults "
+        "of preset balanced; <region> is a name, or a regular expression of "
+        "names in quotes",
         listControls
     },
-    {"listPresets", "List presets and what they stand for", listPresets},
-    {"listIntegrators", "List time integrators", listIntegrators},
+    {
+        "listPresets",
+        "List presets and what they stand for",
+        "Presets: 'preset' in system/controlDict; the default is balanced",
+        listPresets
+    },
+    {
+        "listIntegrators",
+        "List time integrators",
+        "Time integrators: 'timeIntegrator' in system/controlDict",
+        listIntegrators
+    },
     {
         "listFunctionObjects",
         "List function objects of vertexContact and their keywords",
+        "Function objects of vertexContact: 'type' in 'functions' in "
+        "system/controlDict",
         listFunctionObjects
     }
 };
@@ -392,6 +356,7 @@ bool Foam::modelLists::write(const argList& args, Ostream& os)
     {
         if (args.found(option.name))
         {
+            os  << option.heading << nl << nl;
             option.write(os);
         }
     }

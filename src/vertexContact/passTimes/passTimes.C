@@ -35,6 +35,12 @@ static_assert
     "a name of each pass"
 );
 
+//- For how long the loop is repeated that shows the bandwidth [s]
+constexpr double loopSeconds = 0.1;
+
+//- Share of a step from which on a pass has a line
+constexpr Foam::scalar leastShare = 5e-4;
+
 } // End anonymous namespace
 
 
@@ -60,7 +66,7 @@ Foam::scalar Foam::passTimes::bandwidth()
         // What is computed is used
         b[0] = a[n - 1];
     }
-    while (since(start) < 0.1);
+    while (since(start) < loopSeconds);
 
     return 3*sizeof(scalar)*scalar(n)/least;
 }
@@ -89,7 +95,7 @@ void Foam::passTimes::report
         const scalar mean =
             perRank*returnReduce(scalar(seconds_[p]), sumOp<scalar>());
         rest -= mean;
-        if (mean > 5e-4*stepSeconds) line(names[p], mean);
+        if (mean > leastShare*stepSeconds) line(names[p], mean);
     }
     line("other", rest);
 

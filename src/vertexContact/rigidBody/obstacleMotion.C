@@ -48,7 +48,11 @@ Foam::obstacleMotion::obstacleMotion
     start_(runTime.controlDict().getOrDefault<scalar>("startTime", 0)),
     pose_(septernion::I),
     before_(septernion::I),
-    after_(septernion::I)
+    after_(septernion::I),
+    interval_
+    (
+        ofRun*(runTime.endTime().value() - runTime.startTime().value())
+    )
 {
     if (dict.found("motion"))
     {
@@ -192,17 +196,18 @@ void Foam::obstacleMotion::endOfStep
     const septernion begin(poseAt(max(start_, time - step)));
     const point x(middle.transformPoint(X));
 
-    // Means of the halves, at their middles
+    // The straight line through the means of the halves, at its end
+    constexpr scalar ofSecond = 1.5, ofFirst = 0.5;
     spin =
-        1.5*obstacleMotion::spin(middle.r(), end.r(), half)
-      - 0.5*obstacleMotion::spin(begin.r(), middle.r(), half);
+        ofSecond*obstacleMotion::spin(middle.r(), end.r(), half)
+      - ofFirst*obstacleMotion::spin(begin.r(), middle.r(), half);
     velocity =
         velocity_
       ? translation_->value(time)
       : vector
         (
-            1.5/half*(end.transformPoint(X) - x)
-          - 0.5/half*(x - begin.transformPoint(X))
+            ofSecond/half*(end.transformPoint(X) - x)
+          - ofFirst/half*(x - begin.transformPoint(X))
         );
 }
 

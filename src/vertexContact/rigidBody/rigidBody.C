@@ -89,7 +89,7 @@ void Foam::rigidBody::readFreedoms
 
     // Directions that the scene has
     bool solved[3] = {};
-    for (label i = 0; i < nDim_; ++i) solved[directions_[i]] = true;
+    for (label i = 0; i < nDim_; ++i) solved[dual_.directions()[i]] = true;
     translation_ = tensor::zero;
     label nAxes = 0;
     axis_ = vector::zero;
@@ -128,7 +128,7 @@ void Foam::rigidBody::readFreedoms
             rotation_ = freedom::axis;
             axis_ = n;
         }
-        else if (rotation_ == freedom::axis && mag(axis_ & n) < 1 - 1e-6)
+        else if (rotation_ == freedom::axis && mag(axis_ & n) < alongAxis)
         {
             rotation_ = freedom::none;
         }
@@ -217,13 +217,32 @@ Foam::rigidBody::state Foam::rigidBody::present
     {
         const load l(total());
         s.P += 0.5*lastStep*(translation_ & l.force);
-        if (rotation_ == freedom::all) s.L += 0.5*lastStep*l.moment;
-        if (rotation_ == freedom::axis)
-        {
-            s.L += 0.5*lastStep*(l.moment & axis_)*axis_;
-        }
+        s.L += freeTwist(0.5*lastStep, l.moment);
     }
     return s;
+}
+
+
+Foam::vector Foam::rigidBody::freeTwist
+(
+    const scalar by,
+    const vector& moment
+) const
+{
+    return
+        rotation_ == freedom::all ? vector(by*moment)
+      : rotation_ == freedom::axis ? vector(by*(moment & axis_)*axis_)
+      : vector(Zero);
+}
+
+
+Foam::vector Foam::rigidBody::angularRate(const vector& moment) const
+{
+    return
+        rotation_ == freedom::all ? vector(free_->inverse(now_.q) & moment)
+      : rotation_ == freedom::axis
+      ? vector((moment & axis_)/axisInertia_*axis_)
+      : vector(Zero);
 }
 
 
@@ -249,21 +268,8 @@ Foam::rigidBody::reaction Foam::rigidBody::reactionOf
 ) const
 {
     reaction r;
-    const vector impulse(linear(now_) - linear(old_) - kick*l.force);
-    const vector twist(angular(now_) - angular(old_) - kick*l.moment);
-    for (label i = 0; i < nDim_; ++i)
-    {
-        r.impulse[directions_[i]] = impulse[directions_[i]];
-    }
-    if (nDim_ == 3)
-    {
-        r.twist = twist;
-    }
-    else if (nDim_ == 2)
-    {
-        const label out = 3 - directions_[0] - directions_[1];
-        r.twist[out] = twist[out];
-    }
+    r.impulse = dual_.projected(linear(now_) - linear(old_) - kick*l.force);
+    r.twist = dual_.turning(angular(now_) - angular(old_) - kick*l.moment);
 
     // A pivot does none
     if (motion_.valid())
@@ -292,7 +298,7 @@ Foam::rigidBody::rigidBody
     const Time& runTime
 )
 :
-    directions_(dual.directions()),
+    dual_(dual),
     nDim_(dual.nDim()),
     mass_(dict, dual),
     start_(mass_.centre)
@@ -304,22 +310,13 @@ Foam::rigidBody::rigidBody
     if (dict.found("pivot"))
     {
         pivot_ = true;
-        const point given(dict.get<point>("pivot"));
-        start_ = point::zero;
-        for (label i = 0; i < nDim_; ++i)
-        {
-            start_[directions_[i]] = given[directions_[i]];
-        }
+        start_ = dual.projected(dict.get<point>("pivot"));
     }
     toCentre_ = mass_.centre - start_;
     inertia_ = mass_.about(start_);
     if (dict.found("motion"))
     {
         motion_.reset(new obstacleMotion(dict, runTime));
-        motion_->setInterval
-        (
-            1e-6*(runTime.endTime().value() - runTime.startTime().value())
-        );
     }
     readFreedoms(dict, mirrors);
 
@@ -342,7 +339,7 @@ bool Foam::rigidBody::isHeld() const
     if (pivot_) return true;
     for (label i = 0; i < nDim_; ++i)
     {
-        if (translation_[4*directions_[i]] < 1 - SMALL) return true;
+        if (translation_[4*dual_.directions()[i]] < 1 - SMALL) return true;
     }
     return
         (nDim_ == 3 && rotation_ != freedom::all)
@@ -383,16 +380,12 @@ Foam::rigidBody::motionState Foam::rigidBody::acceleration() const
 {
     motionState a;
     a.velocity = (translation_ & applied_.force)/mass_.mass;
-    if (rotation_ == freedom::all)
-    {
-        a.spin =
-            free_->inverse(now_.q)
-          & (applied_.moment - (presentSpin() ^ now_.L));
-    }
-    else if (rotation_ == freedom::axis)
-    {
-        a.spin = (applied_.moment & axis_)/axisInertia_*axis_;
-    }
+    a.spin = angularRate
+    (
+        rotation_ == freedom::all
+      ? vector(applied_.moment - (presentSpin() ^ now_.L))
+      : applied_.moment
+    );
     return a;
 }
 
@@ -401,14 +394,7 @@ Foam::rigidBody::motionState Foam::rigidBody::contactAcceleration() const
 {
     motionState a;
     a.velocity = (translation_ & contact_.force)/mass_.mass;
-    if (rotation_ == freedom::all)
-    {
-        a.spin = free_->inverse(now_.q) & contact_.moment;
-    }
-    else if (rotation_ == freedom::axis)
-    {
-        a.spin = (contact_.moment & axis_)/axisInertia_*axis_;
-    }
+    a.spin = angularRate(contact_.moment);
     return a;
 }
 
@@ -516,8 +502,7 @@ Foam::rigidBody::works Foam::rigidBody::leap
 
     // Momenta
     now_.P = translation_ & (now_.P + kick*l.force);
-    if (rotation_ == freedom::all) now_.L += kick*l.moment;
-    if (rotation_ == freedom::axis) now_.L += kick*(l.moment & axis_)*axis_;
+    now_.L += freeTwist(kick, l.moment);
     septernion pose(septernion::I);
     if (motion_.valid())
     {
@@ -627,11 +612,7 @@ void Foam::rigidBody::startFromRest(const scalar half)
 {
     const load all(total());
     now_.P -= half*(translation_ & all.force);
-    if (rotation_ == freedom::all) now_.L -= half*all.moment;
-    if (rotation_ == freedom::axis)
-    {
-        now_.L -= half*(all.moment & axis_)*axis_;
-    }
+    now_.L -= freeTwist(half, all.moment);
 }
 
 
@@ -671,14 +652,7 @@ Foam::vector Foam::rigidBody::angularMomentum() const
     (
         ((start_ + now_.shift) ^ linear(now_)) + angular(now_)
     );
-    vector possible(Zero);
-    if (nDim_ == 3) return L;
-    if (nDim_ == 2)
-    {
-        const label out = 3 - directions_[0] - directions_[1];
-        possible[out] = L[out];
-    }
-    return possible;
+    return dual_.turning(L);
 }
 
 

@@ -18,6 +18,10 @@ namespace
 
 using namespace Foam;
 
+//- Part of the largest principal moment by which it may be more than the sum of
+//  the others: that of a lamina is the sum, in six digits
+constexpr scalar lamina = 1e-6;
+
 //- Integrals over the cells of a mesh
 struct moments
 {
@@ -25,13 +29,13 @@ struct moments
     vector first = vector::zero;
     symmTensor second = symmTensor::zero;
 
-    //- Of the tetrahedron with the origin
+    //- Of the tetrahedron with the origin: means of x and x x over it
     void add(const vector& a, const vector& b, const vector& c)
     {
         const scalar V = ((a ^ b) & c)/6;
         const vector sum(a + b + c);
         volume += V;
-        first += 0.25*V*sum;
+        first += V/4*sum;
         second += V/20*(sqr(a) + sqr(b) + sqr(c) + sqr(sum));
     }
 };
@@ -82,16 +86,6 @@ Foam::rigidMass::rigidMass(const dictionary& dict, const medianDual& dual)
 
     const polyMesh& mesh = dual.mesh();
     const label d = dual.nDim();
-    const auto plane = [&](const vector& v)
-    {
-        vector w(Zero);
-        for (label i = 0; i < d; ++i)
-        {
-            w[dual.directions()[i]] = v[dual.directions()[i]];
-        }
-        return w;
-    };
-
     scalar volume = 0;
     const auto& owned = dual.sharing().owned();
     forAll(owned, a)
@@ -104,7 +98,7 @@ Foam::rigidMass::rigidMass(const dictionary& dict, const medianDual& dual)
     moments m(integrals(mesh, mesh.bounds().midpoint()));
     const point middle(mesh.bounds().midpoint() + m.first/m.volume);
     m = integrals(mesh, middle);
-    centre = plane(middle);
+    centre = dual.projected(middle);
 
     if (dict.found("rho") == dict.found("mass"))
     {
@@ -129,7 +123,7 @@ Foam::rigidMass::rigidMass(const dictionary& dict, const medianDual& dual)
     inertia = mass/m.volume*inertiaOf(m.second);
     if (dict.found("centreOfMass"))
     {
-        centre = plane(dict.get<point>("centreOfMass"));
+        centre = dual.projected(dict.get<point>("centreOfMass"));
     }
     if (dict.found("inertia"))
     {
@@ -140,13 +134,12 @@ Foam::rigidMass::rigidMass(const dictionary& dict, const medianDual& dual)
           ? freeRotation(inertia).moments()
           : vector(0, 0, 0)
         );
-        // Of a lamina one is the sum of both others
         if
         (
             d == 3
          && !(
                 moments.x() > 0
-             && moments.x() + moments.y() > moments.z()*(1 - 1e-6)
+             && moments.x() + moments.y() > moments.z()*(1 - lamina)
             )
         )
         {

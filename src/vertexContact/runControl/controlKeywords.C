@@ -141,7 +141,8 @@ Foam::keywordList Foam::controlKeywords::keywords()
       + keywordList
         ({
             {
-                "adjustTimeStep", "", "yes",
+                "adjustTimeStep", "",
+                stepControl::adjustTimeStepDefault ? "yes" : "no",
                 "step from the state; no: deltaT"
             },
             {"maxDeltaT", "s", "none", "longest step, unless it is deltaT"},

@@ -19,7 +19,10 @@ Foam::stepRatios::stepRatios
     active_(wanted(controlDict)),
     allowed_
     (
-        controlDict.getOrDefault<label>("maxSubCycles", label(mostDefault))
+        dictionaryCheck::readOptional<label>
+        (
+            controlDict, keywords(), "maxSubCycles"
+        )
     ),
     nodes_(nodes),
     recent_(nodes.size())
@@ -35,7 +38,10 @@ Foam::stepRatios::stepRatios
 
 bool Foam::stepRatios::wanted(const dictionary& controlDict)
 {
-    return controlDict.getOrDefault("subCycling", false);
+    return dictionaryCheck::readOptional<bool>
+    (
+        controlDict, keywords(), "subCycling"
+    );
 }
 
 
@@ -45,7 +51,7 @@ Foam::keywordList Foam::stepRatios::keywords()
     {
         {"subCycling", "", "no", "a step of its own for each region"},
         {
-            "maxSubCycles", "-", Foam::name(mostDefault),
+            "maxSubCycles", "-", "64",
             "most steps of a region in the common one"
         }
     };

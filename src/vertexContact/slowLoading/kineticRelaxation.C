@@ -53,15 +53,12 @@ Foam::kineticRelaxation::kineticRelaxation(const dictionary& controlDict)
 {
     const dictionary& dict = checked(controlDict);
     tolerance_ =
-        dictionaryCheck::readNumberOrDefault
-        (
-            dict, "tolerance", dimless, toleranceDefault
-        );
+        dictionaryCheck::readOptional(dict, keywords(), "tolerance", dimless);
     dictionaryCheck::require
     (
         tolerance_ > 0, dict, "tolerance", tolerance_, "positive"
     );
-    start_ = dictionaryCheck::readNumberOrDefault(dict, "start", dimTime, 0);
+    start_ = dictionaryCheck::readOptional(dict, keywords(), "start", dimTime);
 }
 
 
@@ -73,7 +70,7 @@ Foam::keywordList Foam::kineticRelaxation::keywords()
     {
         {"type", "", "required", "kinetic"},
         {
-            "tolerance", "-", Foam::name(toleranceDefault),
+            "tolerance", "-", "0.001",
             "forces out of balance by loads, with which the run ends"
         },
         {"start", "s", "0", "time from which it is done"}

@@ -85,15 +85,16 @@ Foam::massScaling::massScaling
         a.mass = (factor - 1)*mass[i];
         a.ofAll = a.mass/sum(mass);
         const scalar limit =
-            dictionaryCheck::readNumberOrDefault
-            (
-                dict, "limit", dimless, limitDefault
-            );
+            dictionaryCheck::readOptional(dict, keywords(), "limit", dimless);
         dictionaryCheck::require
         (
             limit >= 0, dict, "limit", limit, "at least 0"
         );
-        if (a.ofAll > limit && !dict.getOrDefault("force", false))
+        if
+        (
+            a.ofAll > limit
+         && !dictionaryCheck::readOptional<bool>(dict, keywords(), "force")
+        )
         {
             FatalIOErrorInFunction(dict)
                 << "Keyword 'massScaling': region '" << body.name()
@@ -116,7 +117,7 @@ Foam::keywordList Foam::massScaling::keywords()
         {"factor", "-", "or step", "of the density, at least 1"},
         {"step", "s", "or factor", "stable step of the undeformed region"},
         {
-            "limit", "-", Foam::name(limitDefault),
+            "limit", "-", "0.05",
             "added mass by that of all regions that deform, at most"
         },
         {"force", "", "no", "yes: also above the limit"}

@@ -111,7 +111,7 @@ void Foam::solidBody::holdDissipation()
     }
     for (const label a : contact_.nodes())
     {
-        if (contact_.status[a] < 0.5) continue;
+        if (!contact_.touches(a)) continue;
         for (label i = 0; i < d; ++i) damping[a*stride + i] = 0;
     }
 }

@@ -98,7 +98,7 @@ void Foam::solidBody::checkStart() const
         {
             const vector jump
             (
-                projected(given)
+                dual_.projected(given)
               - expand
                 (
                     data_.state.disp.cdata() + patch.cornerNode[k]*dual_.nDim()

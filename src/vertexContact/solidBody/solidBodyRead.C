@@ -16,6 +16,23 @@ Description
 #include "Time.H"
 #include "pointFields.H"
 
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Velocity that mirrors take at the start without a warning, by that of waves:
+//  round-off
+constexpr Foam::scalar largestRemoved = 1e-10;
+
+//- Of F0 and CpInv with six digits: components, and by how much the determinant
+//  is not one
+constexpr Foam::scalar roundedStretch = 1e-6;
+constexpr Foam::scalar roundedDeterminant = 1e-5;
+
+} // End anonymous namespace
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<class Type>
@@ -172,7 +189,7 @@ Foam::initialStretch Foam::solidBody::readInitialStretch
         {
             FatalFileErrorInFunction(file)
                 << "Keyword 'internalField': F0 is " << F0 << " at "
-                << mesh_.points()[dual_.nodePoint()[a]] << ": " << wrong
+                << meshPoint(a) << ": " << wrong
                 << exit(FatalIOError);
         }
     }

@@ -17,6 +17,23 @@ Description
 #include "regionFiles.H"
 #include "Time.H"
 
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Of the energy of a rigid body at the start, what is not its motion:
+//  velocities that are written with six digits
+constexpr Foam::scalar largestLost = 1e-12;
+
+//- Square of the change with which the polar decomposition ends: round-off of
+//  nine components; and most passes, for it converges from everywhere
+constexpr Foam::scalar turnedEnough = 1e-30;
+constexpr Foam::label mostTurns = 100;
+
+} // End anonymous namespace
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::solidBody::makeRigid()
@@ -170,14 +187,7 @@ void Foam::solidBody::fitRigid()
     rigid_->setPose(meanX + meanU - (R & meanX), R);
 
     rigidBody::motionState v;
-    if (d > 1) v.spin = inv(own) & momentum;
-    if (d == 2)
-    {
-        const label out = 3 - dual_.directions()[0] - dual_.directions()[1];
-        const scalar about = v.spin[out];
-        v.spin = vector::zero;
-        v.spin[out] = about;
-    }
+    if (d > 1) v.spin = dual_.turning(inv(own) & momentum);
     v.velocity = meanV - (v.spin ^ (R & meanX));
     const rigidBody::motionState may(rigid_->freePart(v));
     scalar lost = 0;
@@ -316,7 +326,7 @@ void Foam::solidBody::sumContact()
             dual_.nodeVolume()[a]*expand(contact_.forces().cdata() + a*d)
         );
         all.force += f;
-        all.moment += (projected(position(a)) - centre) ^ f;
+        all.moment += (dual_.projected(position(a)) - centre) ^ f;
     }
     const tensor sums
     (

@@ -113,7 +113,7 @@ void Foam::variationalScheme::smoothJacobian()
     };
     x_.unsmoothed = x_.jacobian;
     removed();
-    for (label power = 1; power < 3; ++power)
+    for (label power = 1; power < smoothingPower; ++power)
     {
         x_.jacobian = x_.average;
         removed();

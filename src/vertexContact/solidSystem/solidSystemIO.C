@@ -119,11 +119,11 @@ bool Foam::solidSystem::writeData(Ostream& os) const
     text.precision(17);
     text<< "time " << runTime_.value() << ';' << nl
         << "lastStep "
-        << (ratios_->active() ? commonStep_ : bodies_[0].lastStep())
+        << (ratios_->active() ? last_.whole : bodies_[0].lastStep())
         << ';' << nl
         << "energiesOn " << (accounts_.on() ? "yes" : "no") << ';' << nl;
     leastLimit_.write(text);
-    if (ratios_->active()) text<< "shortStep " << shortStep_ << ';' << nl;
+    if (ratios_->active()) text<< "shortStep " << last_.shortest << ';' << nl;
     forAll(bodies_, i)
     {
         text<< "region_" << bodies_[i].name() << nl << '{' << nl;

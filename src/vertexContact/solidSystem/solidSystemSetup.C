@@ -171,8 +171,8 @@ Foam::dictionary Foam::solidSystem::readRecord()
 void Foam::solidSystem::readSteps(const dictionary& record)
 {
     leastLimit_.read(record);
-    commonStep_ = record.getOrDefault<scalar>("lastStep", 0);
-    shortStep_ = record.getOrDefault<scalar>("shortStep", commonStep_);
+    last_.whole = record.getOrDefault<scalar>("lastStep", 0);
+    last_.shortest = record.getOrDefault<scalar>("shortStep", last_.whole);
     if (record.found("shortStep") && !ratios_->active())
     {
         FatalIOErrorInFunction(runTime_.controlDict())

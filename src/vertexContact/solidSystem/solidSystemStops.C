@@ -40,7 +40,7 @@ Foam::string Foam::solidSystem::describeHere
         {
             OStringStream os;
             os  << "region " << body.name() << ", node at "
-                << body.mesh().points()[body.dual().nodePoint()[node]]
+                << body.meshPoint(node)
                 << " (reference) " << body.position(node) << " (current)";
             return os.str();
         }
@@ -118,8 +118,7 @@ void Foam::solidSystem::stopStep
         bodies_[i].restoreOld();
     }
     contacts_.restoreStart();
-    commonStep_ = oldCommonStep_;
-    shortStep_ = oldShortStep_;
+    last_ = old_;
     runTime_.setTime(startOfStep_, runTime_.timeIndex() - 1);
     if (integrator_.leapfrog())
     {

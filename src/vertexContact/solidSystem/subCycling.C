@@ -10,6 +10,7 @@ Description
 
 #include "solidSystem.H"
 #include "passTimes.H"
+#include "wholeSteps.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -44,28 +45,29 @@ Foam::scalar Foam::solidSystem::stableCommonStep()
     Pstream::listCombineGather(least, minEqOp<scalar>());
     Pstream::listCombineScatter(least);
 
-    stable_.setSize(n);
-    longest_ = least[2*n];
+    bounds_.now.setSize(n);
+    bounds_.longest = least[2*n];
     scalar fastestOfAll = 0;
     for (label i = 0; i < n; ++i)
     {
-        stable_[i] = least[i];
+        bounds_.now[i] = least[i];
         const scalar fastest = -least[n + i];
         fastestOfAll = max(fastestOfAll, fastest);
-        longest_ = min
+        bounds_.longest = min
         (
-            longest_, max(stable_[i], stepRatios::strain/(fastest + VSMALL))
+            bounds_.longest,
+            max(bounds_.now[i], stepRatios::strain/(fastest + VSMALL))
         );
     }
     bound_.seen(fastestOfAll);
-    return ratios_->commonStep(stable_, longest_);
+    return ratios_->commonStep(bounds_.now, bounds_.longest);
 }
 
 
 void Foam::solidSystem::chooseSteps(const bool adjusts)
 {
-    recentStable_ = ratios_->least(stable_);
-    const scalar longest = leastLimit_.of(longest_);
+    bounds_.recent = ratios_->least(bounds_.now);
+    const scalar longest = leastLimit_.of(bounds_.longest);
     if (adjusts)
     {
         // Forces act over the mean of two steps. After a longer one that is
@@ -73,8 +75,8 @@ void Foam::solidSystem::chooseSteps(const bool adjusts)
         // where the step falls little by little: each change of a ratio has its
         // error. Where it falls by a third and more at once, that is no matter
         const scalar bound =
-            control_.maxCo()*ratios_->commonStep(recentStable_, longest);
-        const scalar rest = 2*bound - commonStep_;
+            control_.maxCo()*ratios_->commonStep(bounds_.recent, longest);
+        const scalar rest = 2*bound - last_.whole;
         runTime_.setDeltaT
         (
             control_.fitted(rest > 0.5*bound ? min(bound, rest) : bound), false
@@ -84,7 +86,8 @@ void Foam::solidSystem::chooseSteps(const bool adjusts)
     const scalar deltaT = runTime_.deltaTValue();
     ownSteps_ = ratios_->of
     (
-        max(deltaT, 0.5*(commonStep_ + deltaT)), control_.maxCo()*recentStable_
+        max(deltaT, 0.5*(last_.whole + deltaT)),
+        control_.maxCo()*bounds_.recent
     );
 }
 
@@ -115,10 +118,12 @@ void Foam::solidSystem::solveInBlocks
     {
         // Blocks are multiples; that of the shortest step is this step. Before
         // the first common step there was none to have a mean with
-        const bool differ = commonStep_ > 0 && max(blocks) > 1.5*deltaT;
+        const bool differ =
+            last_.whole > 0 && wholeSteps::several(max(blocks), deltaT);
         forAll(bodies_, i)
         {
-            if (differ || blocks[i] > 1.5*deltaT)
+            const bool isLong = wholeSteps::several(blocks[i], deltaT);
+            if (differ || isLong)
             {
                 bodies_[i].contact().setBlock(deltaT, blocks[i]);
             }
@@ -126,7 +131,7 @@ void Foam::solidSystem::solveInBlocks
             {
                 bodies_[i].contact().setStep(deltaT);
             }
-            if (blocks[i] > 1.5*deltaT) bodies_[i].placeSurface(afters[i]);
+            if (isLong) bodies_[i].placeSurface(afters[i]);
             bodies_[i].contact().clearAll();
         }
         contacts_.solve(time, true);
@@ -141,7 +146,7 @@ void Foam::solidSystem::evaluateInBlocks(const scalar time, const bool moved)
     forAll(bodies_, i)
     {
         blocks[i] = bodies_[i].lastStep();
-        evaluateBody(i, time - 0.5*(commonStep_ - blocks[i]), bound_.due());
+        evaluateBody(i, time - 0.5*(last_.whole - blocks[i]), bound_.due());
     }
     if (moved) contacts_.pairMoved(time);
     for (solidBody& body : bodies_)
@@ -152,22 +157,23 @@ void Foam::solidSystem::evaluateInBlocks(const scalar time, const bool moved)
     // As in evaluateForces
     const auto solve = [&](const scalar deltaT)
     {
-        const scalarField afters(bodies_.size(), 0.5*shortStep_);
+        const scalarField afters(bodies_.size(), 0.5*last_.shortest);
         forAll(bodies_, i)
         {
-            if (blocks[i] > 1.5*deltaT) bodies_[i].startBlock();
+            if (wholeSteps::several(blocks[i], deltaT)) bodies_[i].startBlock();
         }
         solveInBlocks
         (
-            time - 0.5*(commonStep_ - shortStep_), deltaT, blocks, afters
+            time - 0.5*(last_.whole - last_.shortest), deltaT, blocks, afters
         );
         forAll(bodies_, i)
         {
-            if (blocks[i] > 1.5*deltaT) bodies_[i].putSurfaceBack();
+            if (!wholeSteps::several(blocks[i], deltaT)) continue;
+            bodies_[i].putSurfaceBack();
         }
     };
-    solve(shortStep_);
-    if (commonStep_ == 0 && interfaces().size())
+    solve(last_.shortest);
+    if (last_.whole == 0 && interfaces().size())
     {
         const bool adjusts = control_.adjusts();
         for (label i = 0; i < 2; ++i)
@@ -179,7 +185,7 @@ void Foam::solidSystem::evaluateInBlocks(const scalar time, const bool moved)
               : runTime_.deltaTValue();
             const stepRatios::ratios r
             (
-                ratios_->of(step, control_.maxCo()*stable_)
+                ratios_->of(step, control_.maxCo()*bounds_.now)
             );
             forAll(blocks, k) blocks[k] = 0.5*step/r.steps[k];
             solve(0.5*step/r.most);
@@ -196,12 +202,11 @@ void Foam::solidSystem::leapInBlocks(const scalar time)
 {
     const label n = bodies_.size();
     const scalar deltaT = runTime_.deltaTValue();
-    const scalar middle = 0.5*(commonStep_ + deltaT);
+    const scalar middle = 0.5*(last_.whole + deltaT);
     const label most = ownSteps_.most;
     const scalar kick = middle/most;
-    const scalar ahead = 0.5*shortStep_;
-    oldCommonStep_ = commonStep_;
-    oldShortStep_ = shortStep_;
+    const scalar ahead = 0.5*last_.shortest;
+    old_ = last_;
 
     // Short steps of a block; how far the displacement is ahead after it
     labelList length(n);
@@ -220,7 +225,7 @@ void Foam::solidSystem::leapInBlocks(const scalar time)
     const auto timeOf = [&](const label i, const label j)
     {
         return
-            startOfStep_ - 0.5*(oldCommonStep_ - bodies_[i].lastStep())
+            startOfStep_ - 0.5*(old_.whole - bodies_[i].lastStep())
           + j*kick;
     };
     const auto leapOver = [&](const label i, const label j)
@@ -269,7 +274,7 @@ void Foam::solidSystem::leapInBlocks(const scalar time)
             }
             solveInBlocks
             (
-                startOfStep_ - 0.5*(oldCommonStep_ - oldShortStep_) + j*kick,
+                startOfStep_ - 0.5*(old_.whole - old_.shortest) + j*kick,
                 kick, blocks, afters
             );
         }
@@ -299,11 +304,10 @@ void Foam::solidSystem::leapInBlocks(const scalar time)
             }
         }
     }
-    commonStep_ = deltaT;
-    shortStep_ = most == 1 ? deltaT : kick;
-    evaluations_ += ownSteps_.evaluations;
-    oneStepEvaluations_ +=
-        ratios_->nodes()*deltaT/(control_.maxCo()*min(recentStable_));
+    last_ = {deltaT, most == 1 ? deltaT : kick};
+    cost_.own += ownSteps_.evaluations;
+    cost_.one +=
+        ratios_->nodes()*deltaT/(control_.maxCo()*min(bounds_.recent));
 
     if (!nBad)
     {
@@ -338,14 +342,14 @@ void Foam::solidSystem::reportSteps(Ostream& os) const
         {
             os  << ' ' << bodies_[i].name() << ' ' << ownSteps_.steps[i];
         }
-        os  << " in " << commonStep_ << " s; so far " << evaluations_
-            << " evaluations of nodes, " << evaluations_/oneStepEvaluations_
-            << " of the " << oneStepEvaluations_ << " with one step for all"
+        os  << " in " << last_.whole << " s; so far " << cost_.own
+            << " evaluations of nodes, " << cost_.own/cost_.one
+            << " of the " << cost_.one << " with one step for all"
             << nl;
         return;
     }
     const scalarField stable(stableSteps());
-    const scalar common = ratios_->commonStep(stable, longest_);
+    const scalar common = ratios_->commonStep(stable, bounds_.longest);
     const stepRatios::ratios r(ratios_->of(common, stable));
     os  << "With steps of their own (subCycling yes), ";
     forAll(bodies_, i)

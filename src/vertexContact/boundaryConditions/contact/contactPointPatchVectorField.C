@@ -25,22 +25,16 @@ namespace Foam
 {
 
 class contactBoundary
+:
+    public boundaryLaw
 {
 public:
-
-    static keywordList keywords() { return keywordList(); }
 
     contactBoundary() = default;
 
     explicit contactBoundary(const dictionary&) {}
 
-    void write(Ostream&) const {}
-
-    bool tractionFree() const { return false; }
-
     bool contact() const { return true; }
-
-    void solve(const scalar, cornerStates& c) const { c.setFree(); }
 };
 
 }

@@ -46,6 +46,8 @@ namespace Foam
 {
 
 class fixedDisplacementBoundary
+:
+    public boundaryLaw
 {
     prescribedMotion motion_;
 
@@ -65,13 +67,7 @@ public:
 
     void write(Ostream& os) const { motion_.write(os); }
 
-    bool tractionFree() const { return false; }
-
-    bool contact() const { return false; }
-
-    const prescribedMotion& motion() const { return motion_; }
-
-    void solve(const scalar, cornerStates& c) const { c.setFree(); }
+    const prescribedMotion* motion() const { return &motion_; }
 };
 
 }

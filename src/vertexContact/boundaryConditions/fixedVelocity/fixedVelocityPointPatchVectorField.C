@@ -47,6 +47,8 @@ namespace Foam
 {
 
 class fixedVelocityBoundary
+:
+    public boundaryLaw
 {
     prescribedMotion motion_;
 
@@ -66,11 +68,7 @@ public:
 
     void write(Ostream& os) const { motion_.write(os); }
 
-    bool tractionFree() const { return false; }
-
-    bool contact() const { return false; }
-
-    const prescribedMotion& motion() const { return motion_; }
+    const prescribedMotion* motion() const { return &motion_; }
 
     void solve(const scalar time, cornerStates& c) const
     {

@@ -29,6 +29,8 @@ namespace Foam
 {
 
 class pressureBoundary
+:
+    public boundaryLaw
 {
     timeValue<scalar> pressure_;
 
@@ -54,10 +56,6 @@ public:
     {}
 
     void write(Ostream& os) const { pressure_.write(os); }
-
-    bool tractionFree() const { return false; }
-
-    bool contact() const { return false; }
 
     void solve(const scalar time, cornerStates& c) const
     {

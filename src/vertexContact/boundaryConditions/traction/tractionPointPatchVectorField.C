@@ -29,6 +29,8 @@ namespace Foam
 {
 
 class tractionBoundary
+:
+    public boundaryLaw
 {
     timeValue<vector> traction_;
 
@@ -54,10 +56,6 @@ public:
     {}
 
     void write(Ostream& os) const { traction_.write(os); }
-
-    bool tractionFree() const { return false; }
-
-    bool contact() const { return false; }
 
     void solve(const scalar time, cornerStates& c) const
     {

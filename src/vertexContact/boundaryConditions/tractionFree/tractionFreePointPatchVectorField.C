@@ -24,22 +24,16 @@ namespace Foam
 {
 
 class tractionFreeBoundary
+:
+    public boundaryLaw
 {
 public:
-
-    static keywordList keywords() { return keywordList(); }
 
     tractionFreeBoundary() = default;
 
     explicit tractionFreeBoundary(const dictionary&) {}
 
-    void write(Ostream&) const {}
-
     bool tractionFree() const { return true; }
-
-    bool contact() const { return false; }
-
-    void solve(const scalar, cornerStates& c) const { c.setFree(); }
 };
 
 }

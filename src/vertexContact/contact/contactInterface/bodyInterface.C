@@ -31,23 +31,6 @@ Foam::contactSide Foam::bodyInterface::readSide
 }
 
 
-bool Foam::bodyInterface::readTwoWay(const dictionary& dict)
-{
-    const word transfer
-    (
-        dict.getOrDefault<word>("transfer", "conservative")
-    );
-    if (transfer != "conservative" && transfer != "twoWay")
-    {
-        dictionaryCheck::unknownModel
-        (
-            dict, "transfer", transfer, wordList({"conservative", "twoWay"})
-        );
-    }
-    return transfer == "twoWay";
-}
-
-
 void Foam::bodyInterface::resize()
 {
     const List<contactOverlap>& overlaps = pairing_->overlaps();
@@ -122,14 +105,13 @@ void Foam::bodyInterface::setKernel()
         plus.setSize(plusCorners.size());
         forAll(plus, i)
         {
-            plus[i] = plus_.body->mesh().points()
-            [
-                plus_.body->dual().nodePoint()[plusNode[plusCorners[i]]]
-            ];
+            plus[i] = plus_.body->meshPoint(plusNode[plusCorners[i]]);
         }
         exchange_.toSlots(plus);
     }
 
+    const labelList& minusNode =
+        body.corners(minus_.patchi).geometry.cornerNode;
     nNodes_ = 1;
     forAll(overlaps, o)
     {
@@ -140,10 +122,9 @@ void Foam::bodyInterface::setKernel()
             vector between(over.plus(plus));
             for (label j = 0; j < over.minus.size; ++j)
             {
-                between -= over.minus.value[j]*referencePosition
-                (
-                    over.minus.corner[j]
-                );
+                between -=
+                    over.minus.value[j]
+                   *body.meshPoint(minusNode[over.minus.corner[j]]);
             }
             firstGap[o] = mag(between)*sign(between & referenceNormal(over));
         }
@@ -168,7 +149,7 @@ void Foam::bodyInterface::findStates
 {
     const solidBody& body = *side.body;
     const dualPatch& patch = body.dual().patches()[side.patchi];
-    const boolList& rim = body.rimNode(side.patchi);
+    const boolList& rim = body.surface(side.patchi).rimNode;
     const label d = body.dual().nDim();
     const scalar* X = body.dual().nodePosition().cdata();
     const scalar* disp = body.state().disp.cdata();
@@ -335,10 +316,11 @@ void Foam::bodyInterface::findNear()
             );
             countClosing(p, b.depth[l]);
             tellGap(b, l, p.gap);
-            if (p.gap < -lostDepth*b.depth[l] && closed_[slot])
-            {
-                lose(minus_, minusCorners_[slot], -p.gap, b.depth[l]);
-            }
+            lose
+            (
+                closed_[slot], minus_, minusCorners_[slot], p.gap,
+                lostDepth*b.depth[l], b.depth[l]
+            );
         }
     }
 }
@@ -557,18 +539,6 @@ void Foam::bodyInterface::tell
 }
 
 
-Foam::point Foam::bodyInterface::referencePosition(const label corner) const
-{
-    const solidBody& body = *minus_.body;
-    const dualPatch& patch = body.corners(minus_.patchi).geometry;
-    return
-        body.mesh().points()
-        [
-            body.dual().nodePoint()[patch.cornerNode[corner]]
-        ];
-}
-
-
 Foam::vector Foam::bodyInterface::referenceNormal
 (
     const contactOverlap& over
@@ -610,7 +580,7 @@ Foam::bodyInterface::bodyInterface
     contactInterface(name, dict),
     minus_(minus),
     plus_(plus),
-    twoWay_(readTwoWay(dict)),
+    twoWay_(contactPairing::readTwoWay(dict)),
     pairing_(contactPairing::New(dict, minus_, plus_))
 {
     if (twoWay_ && minus_.body->variational())
@@ -711,23 +681,16 @@ void Foam::bodyInterface::follow
 
 void Foam::bodyInterface::remember()
 {
-    const dualPatch& patch =
-        minus_.body->corners(minus_.patchi).geometry;
-    const scalarField& status = minus_.body->contact().status;
-    if (minus_.body->variational())
-    {
-        forAll(minusCorners_, i)
-        {
-            closed_[i] = status[patch.cornerNode[minusCorners_[i]]] > 0.5;
-        }
-        return;
-    }
-
+    const bool variational = minus_.body->variational();
     const List<contactOverlap>& overlaps = pairing_->overlaps();
-    forAll(overlaps, o)
+    const bodyContact& contact = minus_.body->contact();
+    const labelList& node =
+        minus_.body->corners(minus_.patchi).geometry.cornerNode;
+    forAll(closed_, i)
     {
-        const label corner = overlaps[o].minus.corner[0];
-        closed_[o] = status[patch.cornerNode[corner]] > 0.5;
+        const label corner =
+            variational ? minusCorners_[i] : overlaps[i].minus.corner[0];
+        closed_[i] = contact.touches(node[corner]);
     }
 }
 
@@ -762,24 +725,22 @@ void Foam::bodyInterface::solve(const scalar, const bool firstStage)
         const plusState plus(scalarRecord::mean(over.plus, sent_));
         const surfacePlace minus(contactSurface::place(minus_, over.minus));
         const overlapState at(over, minus, plus);
-        const scalar minusFactor = over.minus(M.waveFactor);
 
-        p.minus.v = over.minus(M.v);
-        p.minus.t = over.minus(M.t)/minus.stretch;
-        p.minus.zp = impedance(minusFactor*M.zp, minus.stretch);
-        p.minus.zs = impedance(minusFactor*M.zs, minus.stretch);
-        p.plus.v = plus.v;
-        p.plus.t = -plus.t/plus.stretch;
-        p.plus.zp = impedance(plus.waveFactor*P.zp, plus.stretch);
-        p.plus.zs = impedance(plus.waveFactor*P.zs, plus.stretch);
+        p.minus = M.sideOf
+        (
+            over.minus(M.v), over.minus(M.t), over.minus(M.waveFactor),
+            minus.stretch
+        );
+        p.plus = P.sideOf(plus.v, -plus.t, plus.waveFactor, plus.stretch);
         p.area = at.area;
         p.n = at.n;
         p.gap = at.gap;
         setTouching(p, at.opposed, closed_[o], over.depth);
-        if (closed_[o] && at.opposed && p.gap < -lostDepth*over.depth)
-        {
-            lose(minus_, over.minus.corner[0], -p.gap, over.depth);
-        }
+        lose
+        (
+            closed_[o] && at.opposed, minus_, over.minus.corner[0], p.gap,
+            lostDepth*over.depth, over.depth
+        );
     }
 
     solveProblems();
@@ -912,27 +873,12 @@ void Foam::bodyInterface::slideOverlaps
             if (p.result.state == acousticRiemann::status::open) continue;
 
             const int l = near.lane[k];
-            const bool stuck =
-                p.result.state == acousticRiemann::status::stick;
-            body.contact().slide.add
+            slideBy
             (
-                minusNode[minusCorners_[b.minus.slot[0][l]]],
-                max(p.area, scalar(0)),
-                stuck
-              ? deltaT
-               *acousticRiemann::tangential
-                (
-                    vector(way[0][l], way[1][l], way[2][l]), p.n
-                )
-              : vector::zero,
-                kept(p)
+                body.contact(), minusNode[minusCorners_[b.minus.slot[0][l]]], p,
+                vector(way[0][l], way[1][l], way[2][l]),
+                vector(mean[0][l], mean[1][l], mean[2][l]), middle, deltaT
             );
-            account_.friction +=
-                middle*p.area
-               *(
-                    acousticRiemann::tangential(p.result.t, p.n)
-                  & vector(mean[0][l], mean[1][l], mean[2][l])
-                );
         }
     }
 }

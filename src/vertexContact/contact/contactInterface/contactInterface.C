@@ -84,6 +84,32 @@ Foam::scalar Foam::contactInterface::kept(const contactLaw::problem& p)
 }
 
 
+void Foam::contactInterface::slideBy
+(
+    bodyContact& minus,
+    const label node,
+    const contactLaw::problem& p,
+    const vector& way,
+    const vector& mean,
+    const scalar middle,
+    const scalar deltaT
+)
+{
+    using namespace acousticRiemann;
+
+    minus.slide.add
+    (
+        node,
+        max(p.area, scalar(0)),
+        p.result.state == status::stick
+      ? deltaT*tangential(way, p.n)
+      : vector::zero,
+        kept(p)
+    );
+    account_.friction += middle*p.area*(tangential(p.result.t, p.n) & mean);
+}
+
+
 Foam::contactLaw::problem Foam::contactInterface::fromPlus
 (
     const contactLaw::problem& p
@@ -149,7 +175,7 @@ void Foam::contactInterface::setTouching
 }
 
 
-void Foam::contactInterface::lose
+void Foam::contactInterface::tellLost
 (
     const contactSide& side,
     const label corner,
@@ -167,7 +193,7 @@ void Foam::contactInterface::lose
     OStringStream os;
     os  << "interface " << name_ << ", region " << body.name() << ", patch "
         << side.patchName << ", node at "
-        << body.mesh().points()[body.dual().nodePoint()[node]]
+        << body.meshPoint(node)
         << " (reference) " << body.position(node) << " (current), is "
         << penetration << " m inside, and its cell " << depth << " m thick";
     lost_ = os.str();

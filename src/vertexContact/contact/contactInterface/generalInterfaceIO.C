@@ -231,8 +231,12 @@ void Foam::generalInterface::readRules
     const UPtrList<contactInterface>& others
 )
 {
-    dictionaryCheck::onlyKeywords(dict, keywords());
-    const word pairing(dict.getOrDefault<word>("pairing", "nearestFace"));
+    const keywordList described(keywords());
+    dictionaryCheck::onlyKeywords(dict, described);
+    const word pairing
+    (
+        dictionaryCheck::readOptional<word>(dict, described, "pairing")
+    );
     if (pairing != "nearestFace")
     {
         dictionaryCheck::unknownModel
@@ -248,7 +252,8 @@ void Foam::generalInterface::readRules
     }
 
     // Who meets whom
-    const bool self = dict.getOrDefault("self", true);
+    const bool self =
+        dictionaryCheck::readOptional<bool>(dict, described, "self");
     const auto meet = [&](const label k)
     {
         const label n = surfaces_.size();

@@ -178,7 +178,7 @@ void Foam::obstacleInterface::solveForces(const bool firstStage)
 {
     solidBody& body = *side_.body;
     const cornerStates& M = body.corners(side_.patchi);
-    const scalarField& depth = body.depth(side_.patchi);
+    const scalarField& depth = body.surface(side_.patchi).depth;
     const scalar deltaT = body.contact().step();
     const bool sticks = law().sticks();
 
@@ -212,10 +212,7 @@ void Foam::obstacleInterface::solveForces(const bool firstStage)
             deltaT, body.contact().gives()
         );
         countClosing(p, depth[k]);
-        if (closed_[i] && p.gap < -depth[k])
-        {
-            lose(side_, k, -p.gap, depth[k]);
-        }
+        lose(closed_[i], side_, k, p.gap, depth[k], depth[k]);
     }
 
     solveProblems();
@@ -225,7 +222,7 @@ void Foam::obstacleInterface::solveForces(const bool firstStage)
         const contactLaw::problem& p = problems_[i];
         count(p, width_[k], depth[k], p.area, p.area);
     }
-    tellForces(firstStage);
+    correct(firstStage);
 }
 
 
@@ -238,10 +235,7 @@ void Foam::obstacleInterface::setObstacle
     const septernion& pose = motion_.pose();
     const plane& its = planes_[i];
     const point X(cornerOf(its));
-    p.plus.v = motion_.velocity(X);
-    p.plus.t = vector::zero;
-    p.plus.zp = rigid*p.minus.zp;
-    p.plus.zs = rigid*max(p.minus.zs, VSMALL);
+    p.plus = acousticRiemann::rigidSide(p.minus, motion_.velocity(X));
 
     // Out of the body
     p.n = -pose.r().transform(its.n);
@@ -249,7 +243,7 @@ void Foam::obstacleInterface::setObstacle
 }
 
 
-void Foam::obstacleInterface::tellForces(const bool firstStage)
+void Foam::obstacleInterface::correct(const bool firstStage)
 {
     solidBody& body = *side_.body;
     const dualPatch& patch = body.corners(side_.patchi).geometry;
@@ -263,12 +257,6 @@ void Foam::obstacleInterface::tellForces(const bool firstStage)
             body.contact().add(patch.cornerNode[k], p.area*p.result.t);
         }
     }
-}
-
-
-void Foam::obstacleInterface::correct(const bool firstStage)
-{
-    tellForces(firstStage);
 }
 
 
@@ -316,16 +304,13 @@ Foam::obstacleInterface::obstacleInterface
             << side_.body->name() << "', nor an obstacle" << exit(FatalIOError);
     }
 
-    // A hundredth of the time that a wave takes through a face; of rigid
-    // regions a millionth of the run
-    const Time& run = side_.body->mesh().time();
-    motion_.setInterval
-    (
-        side_.body->rigid()
-      ? 1e-6*(run.endTime().value() - run.startTime().value())
-      : 0.01*leastWidth_/side_.body->material().cp()
-    );
-
+    if (!side_.body->rigid())
+    {
+        motion_.setInterval
+        (
+            obstacleMotion::ofWave*leastWidth_/side_.body->material().cp()
+        );
+    }
     update(side_.body->mesh().time().value(), true);
 }
 
@@ -417,18 +402,19 @@ void Foam::obstacleInterface::update(const scalar time, const bool)
     // Within one width of a face there is a plane
     planes_.clear();
     scalar nearest = GREAT;
-    const scalarField& status = side_.body->contact().status;
-    const scalarField& depth = side_.body->depth(side_.patchi);
+    const bodyContact& contact = side_.body->contact();
+    const scalarField& depth = side_.body->surface(side_.patchi).depth;
     forAll(x, k)
     {
         if (hits[k].hit())
         {
             const scalar gap = (x[k] - hits[k].hitPoint()) & normals[k];
             nearest = min(nearest, mag(x[k] - hits[k].hitPoint()));
-            if (status[patch.cornerNode[k]] > 0.5 && gap < -depth[k])
-            {
-                lose(side_, k, -gap, depth[k]);
-            }
+            lose
+            (
+                contact.touches(patch.cornerNode[k]), side_, k, gap, depth[k],
+                depth[k]
+            );
             if
             (
                 gap <= leastWidth_ && gap >= -depth[k]
@@ -468,13 +454,10 @@ void Foam::obstacleInterface::update(const scalar time, const bool)
 
 void Foam::obstacleInterface::remember()
 {
-    const dualPatch& patch = side_.body->corners(side_.patchi).geometry;
-    const scalarField& status = side_.body->contact().status;
-
-    forAll(planes_, i)
-    {
-        closed_[i] = status[patch.cornerNode[planes_[i].corner]] > 0.5;
-    }
+    const bodyContact& contact = side_.body->contact();
+    const labelList& node =
+        side_.body->corners(side_.patchi).geometry.cornerNode;
+    forAll(planes_, i) closed_[i] = contact.touches(node[planes_[i].corner]);
 }
 
 
@@ -487,7 +470,7 @@ void Foam::obstacleInterface::solve(const scalar time, const bool firstStage)
     }
 
     cornerStates& M = side_.body->corners(side_.patchi);
-    const scalarField& depth = side_.body->depth(side_.patchi);
+    const scalarField& depth = side_.body->surface(side_.patchi).depth;
     motion_.setTime(time);
     followEdges();
 
@@ -502,10 +485,7 @@ void Foam::obstacleInterface::solve(const scalar time, const bool firstStage)
         const label k = planes_[i].corner;
         contactLaw::problem& p = problems_[i];
 
-        p.minus.v = M.v[k];
-        p.minus.t = M.t[k]/M.stretch[k];
-        p.minus.zp = impedance(M.waveFactor[k]*M.zp, M.stretch[k]);
-        p.minus.zs = impedance(M.waveFactor[k]*M.zs, M.stretch[k]);
+        p.minus = M.sideOf(M.v[k], M.t[k], M.waveFactor[k], M.stretch[k]);
         p.area = M.geometry.cornerArea[k]*M.stretch[k];
         setObstacle(i, p);
 
@@ -514,10 +494,7 @@ void Foam::obstacleInterface::solve(const scalar time, const bool firstStage)
         (
             p, (M.n[k] & p.n) > leastFacing, closed_[i], 0.5*depth[k]
         );
-        if (closed_[i] && p.gap < -depth[k])
-        {
-            lose(side_, k, -p.gap, depth[k]);
-        }
+        lose(closed_[i], side_, k, p.gap, depth[k], depth[k]);
     }
 
     solveProblems();
@@ -554,25 +531,11 @@ void Foam::obstacleInterface::slide(const scalar middle, const scalar deltaT)
         if (p.result.state == acousticRiemann::status::open) continue;
 
         const label node = cornerNode[planes_[i].corner];
-        const bool stuck = p.result.state == acousticRiemann::status::stick;
-        body.contact().slide.add
+        slideBy
         (
-            node,
-            p.area,
-            stuck
-          ? deltaT*acousticRiemann::tangential
-            (
-                p.plus.v - body.stepVelocity(node), p.n
-            )
-          : vector::zero,
-            kept(p)
+            body.contact(), node, p, p.plus.v - body.stepVelocity(node),
+            p.plus.v - body.meanStepVelocity(node), middle, deltaT
         );
-        account_.friction +=
-            middle*p.area
-           *(
-                acousticRiemann::tangential(p.result.t, p.n)
-              & (p.plus.v - body.meanStepVelocity(node))
-            );
     }
 }
 

@@ -25,6 +25,9 @@ namespace Foam
 namespace
 {
 
+//- Values of the keyword transfer
+const Foam::wordList transfers({"conservative", "twoWay"});
+
 Foam::label numberOfCorners(const Foam::contactSide& side)
 {
     return side.body->dual().patches()[side.patchi].nCorners();
@@ -199,7 +202,8 @@ Foam::vector Foam::contactPairing::gapDirection(const dictionary& dict) const
     vector direction(Zero);
     if (dict.found("direction"))
     {
-        direction = minus_.body->projected(dict.get<vector>("direction"));
+        direction =
+            minus_.body->dual().projected(dict.get<vector>("direction"));
         if (mag(direction) < SMALL)
         {
             FatalIOErrorInFunction(dict)
@@ -289,12 +293,28 @@ Foam::keywordList Foam::contactPairing::commonKeywords()
             "transfer", "", "conservative",
             keywordList::oneOf
             (
-                wordList({"conservative", "twoWay"}),
-                "one force an overlap, or the paper's mapping"
+                transfers, "one force an overlap, or the paper's mapping"
             )
         },
         {"law", "", "frictionless", "dictionary of the contact law"}
     };
+}
+
+
+bool Foam::contactPairing::readTwoWay(const dictionary& dict)
+{
+    const word transfer
+    (
+        dictionaryCheck::readOptional<word>
+        (
+            dict, commonKeywords(), "transfer"
+        )
+    );
+    if (!transfers.found(transfer))
+    {
+        dictionaryCheck::unknownModel(dict, "transfer", transfer, transfers);
+    }
+    return transfer == transfers[1];
 }
 
 
@@ -309,7 +329,7 @@ Foam::autoPtr<Foam::contactPairing> Foam::contactPairing::New
 {
     const word pairingType
     (
-        dict.getOrDefault<word>("pairing", "matching")
+        dictionaryCheck::readOptional<word>(dict, commonKeywords(), "pairing")
     );
 
     vertexContactLookupConstructor(contactPairing, dictionary, pairingType)

@@ -92,8 +92,8 @@ contactFace makeFace
     const solidBody& body = *side.body;
     const medianDual& dual = body.dual();
     const dualPatch& patch = dual.patches()[side.patchi];
-    const scalarField& depth = body.depth(side.patchi);
-    const boolList& rim = body.rim(side.patchi);
+    const scalarField& depth = body.surface(side.patchi).depth;
+    const boolList& rim = body.surface(side.patchi).rim;
     const label d = dual.nDim();
 
     contactFace f;
@@ -228,7 +228,7 @@ void outlines
         o.width =
             size > 1
           ? contactSurface::meanEdge(X, size)
-          : body.depth(side.patchi)[start];
+          : body.surface(side.patchi).depth[start];
         f(o);
     }
 }
@@ -353,7 +353,7 @@ Foam::contactSurface::sizes Foam::contactSurface::sizesOf
 )
 {
     const dualPatch& patch = side.body->dual().patches()[side.patchi];
-    const scalarField& depth = side.body->depth(side.patchi);
+    const scalarField& depth = side.body->surface(side.patchi).depth;
     const positions at(side, false);
     sizes all;
     patch.forFaces([&](const dualPatch::face& f)

@@ -9,14 +9,7 @@
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-namespace Foam
-{
-namespace functionObjects
-{
-    defineTypeNameAndDebug(contactForces, 0);
-    addSolidFunctionObject(contactForces);
-}
-}
+makeSolidFunctionObject(contactForces)
 
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -179,7 +172,10 @@ Foam::functionObjects::contactForces::contactForces
         (
             frequency > 0, dict, "filterFrequency", frequency, "positive"
         );
-        const label nPoles = dict.getOrDefault<label>("filterPoles", 2);
+        const label nPoles = dictionaryCheck::readOptional<label>
+        (
+            dict, keywords(), "filterPoles"
+        );
         dictionaryCheck::require
         (
             nPoles == 1 || nPoles == 2, dict, "filterPoles", nPoles, "1 or 2"

@@ -9,14 +9,7 @@
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-namespace Foam
-{
-namespace functionObjects
-{
-    defineTypeNameAndDebug(pointProbes, 0);
-    addSolidFunctionObject(pointProbes);
-}
-}
+makeSolidFunctionObject(pointProbes)
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -136,7 +129,7 @@ Foam::functionObjects::pointProbes::pointProbes
     nodes_.setSize(points.size(), -1);
     forAll(points, i)
     {
-        const vector p(body_->projected(points[i]));
+        const vector p(body_->dual().projected(points[i]));
         scalar nearest = GREAT;
         label node = -1;
         for (label a = 0; a < dual.nNodes(); ++a)

@@ -8,14 +8,7 @@
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-namespace Foam
-{
-namespace functionObjects
-{
-    defineTypeNameAndDebug(reactionForces, 0);
-    addSolidFunctionObject(reactionForces);
-}
-}
+makeSolidFunctionObject(reactionForces)
 
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //

@@ -8,14 +8,7 @@
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-namespace Foam
-{
-namespace functionObjects
-{
-    defineTypeNameAndDebug(solidAverages, 0);
-    addSolidFunctionObject(solidAverages);
-}
-}
+makeSolidFunctionObject(solidAverages)
 
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //

@@ -8,14 +8,7 @@
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-namespace Foam
-{
-namespace functionObjects
-{
-    defineTypeNameAndDebug(solidEnergies, 0);
-    addSolidFunctionObject(solidEnergies);
-}
-}
+makeSolidFunctionObject(solidEnergies)
 
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //

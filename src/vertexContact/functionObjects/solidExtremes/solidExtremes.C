@@ -5,17 +5,11 @@
 \*---------------------------------------------------------------------------*/
 
 #include "solidExtremes.H"
+#include "dictionaryCheck.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-namespace Foam
-{
-namespace functionObjects
-{
-    defineTypeNameAndDebug(solidExtremes, 0);
-    addSolidFunctionObject(solidExtremes);
-}
-}
+makeSolidFunctionObject(solidExtremes)
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -71,8 +65,7 @@ void Foam::functionObjects::solidExtremes::observe()
                 if (a < 0) continue;
                 both[side].time = runTime_.value();
                 both[side].position = body.position(a);
-                both[side].reference =
-                    body.mesh().points()[body.dual().nodePoint()[a]];
+                both[side].reference = body.meshPoint(a);
             }
         }
     }
@@ -91,7 +84,10 @@ Foam::functionObjects::solidExtremes::solidExtremes
     solidFunctionObject(name, runTime, dict),
     selections_(nodeSelection::read(dict, solids_.bodies())),
     fields_(selections_.size()),
-    everyStep_(dict.getOrDefault("everyStep", false))
+    everyStep_
+    (
+        dictionaryCheck::readOptional<bool>(dict, keywords(), "everyStep")
+    )
 {
     checkKeywords(dict, keywords());
 

@@ -292,18 +292,19 @@ void Foam::HenckyVonMises::readHeating(const dictionary& dict)
             FatalIOErrorInFunction(dict.subDict("JohnsonCook"))
                 << "Keyword 'm' " << JohnsonCook_.m << " is the exponent of a "
                 << "temperature, and there is none." << nl
-                << "Add adiabaticHeating { beta 0.9; cp <specific heat>; "
-                << "T0 293.15; } to the material" << exit(FatalIOError);
+                << "Add adiabaticHeating { cp <specific heat>; } to the "
+                << "material" << exit(FatalIOError);
         }
         return;
     }
 
     const dictionary& heating = dict.subDict("adiabaticHeating");
-    onlyKeywords(heating, heatingKeywords());
-    const scalar beta = readNumberOrDefault(heating, "beta", dimless, 0.9);
+    const keywordList described(heatingKeywords());
+    onlyKeywords(heating, described);
+    const scalar beta = readOptional(heating, described, "beta", dimless);
     const scalar c =
         readNumber(heating, "cp", sqr(dimVelocity)/dimTemperature);
-    T0_ = readNumberOrDefault(heating, "T0", dimTemperature, 293.15);
+    T0_ = readOptional(heating, described, "T0", dimTemperature);
     require(beta >= 0 && beta <= 1, heating, "beta", beta, "from 0 to 1");
     require(c > 0, heating, "cp", c, "positive");
     require(T0_ > 0, heating, "T0", T0_, "positive");

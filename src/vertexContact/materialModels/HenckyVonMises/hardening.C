@@ -4,7 +4,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "hardening.H"
+#include "HenckyVonMises.H"
 #include "dictionaryCheck.H"
 #include "Function1.H"
 #include "TableBase.H"
@@ -12,12 +12,14 @@
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::hardening::linear::linear(const dictionary& dict)
-:
-    tauY(dictionaryCheck::readNumber(dict, "tauY", dimPressure)),
-    H(dictionaryCheck::readNumberOrDefault(dict, "Hardening", dimPressure, 0))
 {
-    dictionaryCheck::require(tauY > 0, dict, "tauY", tauY, "positive");
-    dictionaryCheck::require(H >= 0, dict, "Hardening", H, "at least 0");
+    using namespace dictionaryCheck;
+
+    const keywordList described(HenckyVonMises::keywords());
+    tauY = readNumber(dict, "tauY", dimPressure);
+    H = readOptional(dict, described, "Hardening", dimPressure);
+    require(tauY > 0, dict, "tauY", tauY, "positive");
+    require(H >= 0, dict, "Hardening", H, "at least 0");
 }
 
 
@@ -38,7 +40,10 @@ Foam::hardening::table::table(const dictionary& dict)
     else
     {
         const scalar last =
-            dictionaryCheck::readNumberOrDefault(dict, "maxStrain", dimless, 3);
+            dictionaryCheck::readOptional
+            (
+                dict, HenckyVonMises::keywords(), "maxStrain", dimless
+            );
         dictionaryCheck::require
         (
             last > 0, dict, "maxStrain", last, "positive"
@@ -80,12 +85,13 @@ Foam::hardening::JohnsonCook::JohnsonCook(const dictionary& dict)
 {
     using namespace dictionaryCheck;
 
-    onlyKeywords(dict, keywords());
+    const keywordList described(keywords());
+    onlyKeywords(dict, described);
     A = readNumber(dict, "A", dimPressure);
     B = readNumber(dict, "B", dimPressure);
     n = readNumber(dict, "n", dimless);
     C = readNumber(dict, "C", dimless);
-    rate0 = readNumberOrDefault(dict, "referenceRate", dimless/dimTime, 1);
+    rate0 = readOptional(dict, described, "referenceRate", dimless/dimTime);
     require(A > 0, dict, "A", A, "positive");
     require(B >= 0, dict, "B", B, "at least 0");
     require(n > 0, dict, "n", n, "positive");

@@ -17,14 +17,7 @@
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-namespace Foam
-{
-namespace contactPairings
-{
-    defineTypeNameAndDebug(AMI, 0);
-    addListedModel(contactPairing, AMI);
-}
-}
+makeContactPairing(AMI)
 
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //

@@ -13,14 +13,7 @@
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-namespace Foam
-{
-namespace contactPairings
-{
-    defineTypeNameAndDebug(matching, 0);
-    addListedModel(contactPairing, matching);
-}
-}
+makeContactPairing(matching)
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -80,11 +73,11 @@ void Foam::contactPairings::matching::identify
 
         for (label k = start; k < end; ++k)
         {
-            allPlaces[k] = 0.75*X(k) + 0.25*centre;
+            allPlaces[k] = (1 - inward)*X(k) + inward*centre;
             allSizes[k] =
                 end - start > 1
               ? mag(X(k) - centre)
-              : side.body->depth(side.patchi)[k];
+              : side.body->surface(side.patchi).depth[k];
         }
     });
 
@@ -195,7 +188,7 @@ Foam::contactPairings::matching::matching
     };
     const auto depth = [](const contactSide& side)
     {
-        return side.body->depth(side.patchi);
+        return side.body->surface(side.patchi).depth;
     };
     const scalarField areaMinus(area(minus)), depthMinus(depth(minus));
     const scalarField areaPlus(gathered(area(plus)));

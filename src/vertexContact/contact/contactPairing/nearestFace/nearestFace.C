@@ -15,14 +15,7 @@
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-namespace Foam
-{
-namespace contactPairings
-{
-    defineTypeNameAndDebug(nearestFace, 0);
-    addListedModel(contactPairing, nearestFace);
-}
-}
+makeContactPairing(nearestFace)
 
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -283,9 +276,9 @@ Foam::contactPairings::nearestFace::nearestFace
     plusMotion_(plus)
 {
     checkKeywords(dict, keywords());
-    updateDistance_ = dictionaryCheck::readNumberOrDefault
+    updateDistance_ = dictionaryCheck::readOptional
     (
-        dict, "updateDistance", dimless, surfaceMotion::usualDistance
+        dict, keywords(), "updateDistance", dimless
     );
     dictionaryCheck::require
     (
