@@ -290,7 +290,7 @@ Foam::medianDual::medianDual(const polyMesh& mesh, const cellTreatment cells)
     }
 
     // Keep the edges of this rank that carry anything
-    bitSet kept(sharedEdges::merge(sharing(), graph, nDim_, area));
+    bitSet kept(sharedEdges::merge(sharing(), graph, nDim_, -1, area));
     label nKept = 0;
 
     for (label a = 0; a < graph.nNodes(); ++a)

@@ -21,6 +21,7 @@ Foam::bitSet Foam::sharedEdges::merge
     const nodeSharing& sharing,
     const nodeGraph& graph,
     const label nDim,
+    const scalar reversed,
     scalarField& area
 )
 {
@@ -86,7 +87,7 @@ Foam::bitSet Foam::sharedEdges::merge
                 for (label k = 0; k < nDim; ++k)
                 {
                     const scalar c = area[edgei*nDim + k];
-                    vectors[neighbouri].append(forward ? c : -c);
+                    vectors[neighbouri].append(forward ? c : reversed*c);
                 }
             }
         }
@@ -156,7 +157,7 @@ Foam::bitSet Foam::sharedEdges::merge
             for (label k = 0; k < nDim; ++k)
             {
                 const scalar c = received[i*nDim + k];
-                area[edgei*nDim + k] += (a < b ? c : -c);
+                area[edgei*nDim + k] += (a < b ? c : reversed*c);
             }
         }
     }

@@ -7,6 +7,8 @@
 #include "variationalKernelTemplate.H"
 #include "edgeBlocks.H"
 #include "ListOps.H"
+#include "nodeGraph.H"
+#include "sharedEdges.H"
 #include <cmath>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -138,47 +140,48 @@ void Foam::variationalData::addPairs(const dualPatch& patch, const label nDim)
 }
 
 
-void Foam::variationalData::joinPairs(const label nDim)
+void Foam::variationalData::joinPairs(const medianDual& dual)
 {
+    const label nDim = dual.nDim();
     const label n = pairNodes.size()/2;
-    labelList order(n);
-    forAll(order, i) order[i] = i;
-    std::stable_sort
-    (
-        order.begin(), order.end(),
-        [&](const label p, const label q)
-        {
-            return
-                pairNodes[2*p] != pairNodes[2*q]
-              ? pairNodes[2*p] < pairNodes[2*q]
-              : pairNodes[2*p + 1] < pairNodes[2*q + 1];
-        }
-    );
-    labelList nodes(2*n);
-    scalarField area(n*nDim, Zero);
-    label last = -1;
-    for (const label p : order)
+    const nodeGraph graph(dual.nNodes(), [&](const auto& add)
     {
-        if
-        (
-            last < 0
-         || nodes[2*last] != pairNodes[2*p]
-         || nodes[2*last + 1] != pairNodes[2*p + 1]
-        )
+        for (label p = 0; p < n; ++p)
         {
-            ++last;
-            nodes[2*last] = pairNodes[2*p];
-            nodes[2*last + 1] = pairNodes[2*p + 1];
+            add(pairNodes[2*p], pairNodes[2*p + 1]);
         }
+    });
+    scalarField area(graph.nEdges()*nDim, Zero);
+    for (label p = 0; p < n; ++p)
+    {
+        const label joined = graph.find(pairNodes[2*p], pairNodes[2*p + 1]);
         for (label i = 0; i < nDim; ++i)
         {
-            area[last*nDim + i] += pairArea[p*nDim + i];
+            area[joined*nDim + i] += pairArea[p*nDim + i];
         }
     }
-    nodes.setSize(2*(last + 1));
-    area.setSize((last + 1)*nDim);
-    pairNodes.transfer(nodes);
-    pairArea = area;
+    const bitSet kept
+    (
+        sharedEdges::merge(dual.sharing(), graph, nDim, 1, area)
+    );
+
+    label last = 0;
+    for (label a = 0; a < graph.nNodes(); ++a)
+    {
+        for (label p = graph.start()[a]; p < graph.start()[a + 1]; ++p)
+        {
+            if (!kept.test(p)) continue;
+            pairNodes[2*last] = a;
+            pairNodes[2*last + 1] = graph.upper()[p];
+            for (label i = 0; i < nDim; ++i)
+            {
+                pairArea[last*nDim + i] = area[p*nDim + i];
+            }
+            ++last;
+        }
+    }
+    pairNodes.setSize(2*last);
+    pairArea.setSize(last*nDim);
 }
 
 

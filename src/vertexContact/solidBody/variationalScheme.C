@@ -183,7 +183,7 @@ Foam::variationalScheme::variationalScheme
             x_.addPairs(patch, dual_.nDim());
         }
     }
-    x_.joinPairs(dual_.nDim());
+    x_.joinPairs(dual_);
     labelHashSet late(dual_.sharing().sharedNodes());
     late.insert(symmetry_.nodes());
     x_.setLate(late.sortedToc(), dual_.nDim());

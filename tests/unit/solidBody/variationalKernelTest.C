@@ -70,7 +70,7 @@ struct scheme
         {
             x.addPairs(patch, nDim);
         }
-        x.joinPairs(nDim);
+        x.joinPairs(dual);
         x.perEdges = scalar(1);
     }
 
