@@ -30,11 +30,16 @@ PLASTIC = {**NEO, "type": "HenckyVonMises"}
 YIELDING = {**PLASTIC, "tauY": 1e-9, "Hardening": 0.1}
 SMALL = {**NEO, "type": "linearElastic"}
 HEATED = {**YIELDING, "adiabaticHeating": {"cp": 400, "T0": 300}}
+COOK = {k: HEATED[k] for k in HEATED if k not in ("tauY", "Hardening")}
+HARDENS = {"A": 1e-9, "B": 0.1, "n": 1, "C": 0, "referenceRate": 1}
+SOFTENS = {**HARDENS, "m": 1, "Tmelt": 1800}
+RIGID = {"type": "rigid", "rho": 1}
 HELD = {"left": condition("fixedVelocity", velocity=(0, 0, 0))}
 
 
 def block(folder, cells, material=None, control=None, functions=None,
-          size=(1, 1, 1), sides=None, split=None, stretch=None, **scheme):
+          size=(1, 1, 1), sides=None, split=None, stretch=None, mapped=False,
+          **scheme):
     if split:
         scheme["cells"] = split
     d = len(cells)
@@ -51,6 +56,10 @@ def block(folder, cells, material=None, control=None, functions=None,
             body, "F0", "[0 0 0 0 0 0 0]",
             np.tile(np.diag(stretch).ravel(), (len(case.X()), 1)),
             kind="tensor")
+    if mapped:
+        source = block(folder/"source", cells, material, control, functions,
+                       size, sides)
+        checked(["mapState", str(source.path)], case.path)
     return case
 
 
@@ -137,6 +146,12 @@ PAIRS = (
      CELLS, {**CELLS, "material": YIELDING}),
     ("plasticity", "adiabaticHeating against none, every node yields", block,
      {**CELLS, "material": YIELDING}, {**CELLS, "material": HEATED}),
+    ("plasticity", "Johnson-Cook with m against without, every node yields",
+     block,
+     {**CELLS, "material": {**COOK, "JohnsonCook": HARDENS}},
+     {**CELLS, "material": {**COOK, "JohnsonCook": SOFTENS}}),
+    ("start", "mapState of the same state against fields", block,
+     CELLS, {**CELLS, "mapped": True}),
     ("start", "initial stretch F0 against none", block,
      CELLS, {**CELLS, "stretch": (1.01, 1, 1)}),
     ("start", "initial stretch F0 against none, plasticity", block,
@@ -183,7 +198,11 @@ PAIRS = (
      {"gap": 0, "pairing": "matching"},
      {"gap": 0, "pairing": "matching", "law": coulomb(0.3)}),
     ("contact", "one of two blocks in contact rigid against both deform", pair,
-     {"gap": 0}, {"gap": 0, "above": {"type": "rigid", "rho": 1}}),
+     {"gap": 0}, {"gap": 0, "above": RIGID}),
+    ("contact", "a rigid block driven by a force against a free one", pair,
+     {"gap": 0, "above": RIGID},
+     {"gap": 0, "above": {**RIGID, "freeTranslation": "(y)",
+                          "force": (0, -0.1, 0)}}),
     ("steps", "subCycling, speeds of waves 1:20, a tenth stiff, against one "
      "step; a common step", ratio, {"own": False}, {"own": True}),
     ("slow loading", "massScaling against none, the same step", block,
