@@ -6,8 +6,9 @@
 Squares of 8 x 8 cells on a grid fly to the middle, one after the other they
 meet their four neighbours; and two plates in 3D of which a tenth of one face
 touches the other. One core. Start: all but the steps. Share: of searching and
-of forces in the time of the steps, from the log of the solver. Memory: the largest that the program used, beside that of the
-same bodies without contact. Writes generalContact.md beside this file.
+of forces in the time of the steps, from the log of the solver. Memory: the
+largest that the program used, beside that of the same bodies without contact.
+Writes generalContact.md beside this file.
 """
 
 import re
