@@ -4,16 +4,18 @@
     . etc/bashrc; tests/benchmark/generalContact.py
 
 Squares of 8 x 8 cells on a grid fly to the middle, one after the other they
-meet their four neighbours; and two plates in 3D of which a tenth of one face touches the other.
-One core. Share: of searching and of forces in the time of the steps, from the
-log of the solver. Memory: the largest that the program used, beside that of the
-same bodies without contact. Writes generalContact.md beside this file.
+meet their four neighbours; and two plates in 3D of which a tenth of one face
+touches the other. One core. Start: all but the steps. Share: of searching and
+of forces in the time of the steps, from the log of the solver. Memory: the
+largest that the program used, beside that of the same bodies without contact.
+Writes generalContact.md beside this file.
 """
 
 import re
 import subprocess
 import sys
 import tempfile
+import time
 from pathlib import Path
 
 from vertexContactTests.smallCases import Body, SmallCase
@@ -53,6 +55,7 @@ def measured(bodies, contact, end, folder):
                      preset="balanced",
                      control={"maxCo": 0.9, "functions": {},
                               "writeControl": "none"})
+    begin = time.perf_counter()
     done = subprocess.run(
         ["/usr/bin/env", "python3", "-c",
          "import resource, subprocess, sys; "
@@ -61,6 +64,7 @@ def measured(bodies, contact, end, folder):
          "print('PEAK', resource.getrusage(resource.RUSAGE_CHILDREN)"
          ".ru_maxrss); sys.exit(r.returncode)"],
         cwd=case.path, capture_output=True, text=True)
+    whole = time.perf_counter() - begin
     log = done.stdout
     if done.returncode:
         sys.exit(log[-3000:])
@@ -69,6 +73,7 @@ def measured(bodies, contact, end, folder):
                       r"pairings, (\S+) % in", log)
     near = re.search(r"may meet and (\d+) are near", log)
     return {"ms": 1e3*float(seconds)/int(steps), "steps": int(steps),
+            "start": whole - float(seconds),
             "share": [float(share[1]), int(share[2]), float(share[3])]
             if share else None,
             "near": int(near[1]) if near else 0,
@@ -89,7 +94,8 @@ def main():
             lines.append(
                 f"| {what} | {faces:,} | {on['near']} | {off['ms']:.3g} | "
                 f"{on['ms']:.3g} | {search:.1f} % | {on['steps']/max(n, 1):.0f}"
-                f" | {forces:.1f} % | {off['MB']:.0f} | {on['MB']:.0f} |")
+                f" | {forces:.1f} % | {off['start']:.1f} | {on['start']:.1f} | "
+                f"{off['MB']:.0f} | {on['MB']:.0f} |")
             print(lines[-1], flush=True)
     commit = subprocess.run(["git", "describe", "--always", "--dirty"],
                             cwd=root, capture_output=True,
@@ -97,11 +103,11 @@ def main():
     (here/"generalContact.md").write_text(f"""# What general contact costs
 
 Written by `tests/benchmark/generalContact.py`: `surfaces all`, one core, `balanced`. *Near* are the pairs of surfaces that are looked at in a step; *search* is the
-share of finding pairs and pairings in the time of the steps, *forces* that of contact in each step. The same bodies without contact are beside it.
+share of finding pairs and pairings in the time of the steps, *forces* that of contact in each step; *start* is all but the steps. The same bodies without contact are beside it.
 Built from {commit}.
 
-| | faces | near at first | free [ms a step] | contact [ms a step] | search | steps a pairing | forces | free [MB] | contact [MB] |
-|---|---|---|---|---|---|---|---|---|---|
+| | faces | near at first | free [ms a step] | contact [ms a step] | search | steps a pairing | forces | start, free [s] | start, contact [s] | free [MB] | contact [MB] |
+|---|---|---|---|---|---|---|---|---|---|---|---|
 """ + "\n".join(lines) + "\n")
 
 

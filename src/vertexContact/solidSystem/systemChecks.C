@@ -9,6 +9,7 @@
 #include "stepRatios.H"
 #include "dictionaryCheck.H"
 #include "IOdictionary.H"
+#include <set>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -54,16 +55,14 @@ Foam::wordList Foam::systemChecks::regionNames(const Time& runTime)
         }
         names.append(groups[group]);
     }
+    wordHashSet known;
     forAll(names, i)
     {
-        for (label j = 0; j < i; ++j)
+        if (!known.insert(names[i]))
         {
-            if (names[i] == names[j])
-            {
-                FatalIOErrorInFunction(dict)
-                    << "Keyword 'regions': region '" << names[i]
-                    << "' is listed twice" << exit(FatalIOError);
-            }
+            FatalIOErrorInFunction(dict)
+                << "Keyword 'regions': region '" << names[i]
+                << "' is listed twice" << exit(FatalIOError);
         }
         const fileName mesh
         (
@@ -217,19 +216,19 @@ void Foam::systemChecks::contactPatches
     const PtrList<contactInterface>& interfaces
 )
 {
+    std::set<std::pair<const solidBody*, label>> named;
+    for (const contactInterface& contact : interfaces)
+    {
+        for (const contactSide& s : contact.sides())
+        {
+            named.emplace(s.body, s.patchi);
+        }
+    }
     for (const solidBody& body : bodies)
     {
         for (const label patchi : body.contactPatches())
         {
-            bool named = false;
-            for (const contactInterface& contact : interfaces)
-            {
-                for (const contactSide& s : contact.sides())
-                {
-                    named = named || (s.body == &body && s.patchi == patchi);
-                }
-            }
-            if (!named)
+            if (!named.count({&body, patchi}))
             {
                 FatalFileErrorInFunction(file)
                     << "Keyword 'interfaces': no interface has patch '"

@@ -22,6 +22,37 @@ Foam::contactInterface::account Foam::contactInterface::account::total() const
 }
 
 
+void Foam::contactInterface::account::total(List<account>& sums)
+{
+    if (!Pstream::parRun()) return;
+    List<FixedList<scalar, 7>> all(sums.size());
+    forAll(all, i)
+    {
+        for (direction c = 0; c < 3; ++c)
+        {
+            all[i][c] = sums[i].impulse[c];
+            all[i][3 + c] = sums[i].plusImpulse[c];
+        }
+        all[i][6] = sums[i].friction;
+    }
+    typedef FixedList<scalar, 7> values;
+    Pstream::listCombineGather(all, [](values& a, const values& b)
+    {
+        forAll(a, c) a[c] += b[c];
+    });
+    Pstream::listCombineScatter(all);
+    forAll(all, i)
+    {
+        for (direction c = 0; c < 3; ++c)
+        {
+            sums[i].impulse[c] = all[i][c];
+            sums[i].plusImpulse[c] = all[i][3 + c];
+        }
+        sums[i].friction = all[i][6];
+    }
+}
+
+
 void Foam::contactInterface::account::write(Ostream& os) const
 {
     os  << "    impulse " << impulse << ';' << nl

@@ -19,19 +19,11 @@ using namespace Foam;
 
 //- Values of each, combined over all processors in one exchange
 template<class T, class Combine>
-List<T> everywhere(const List<T>& mine, const Combine& combine)
+void everywhere(List<T>& values, const Combine& combine)
 {
-    if (!Pstream::parRun()) return mine;
-    List<List<T>> all(Pstream::nProcs());
-    all[Pstream::myProcNo()] = mine;
-    Pstream::gatherList(all);
-    Pstream::scatterList(all);
-    List<T> whole(all[0]);
-    for (label rank = 1; rank < all.size(); ++rank)
-    {
-        forAll(whole, i) combine(whole[i], all[rank][i]);
-    }
-    return whole;
+    if (values.empty()) return;
+    Pstream::listCombineGather(values, combine);
+    Pstream::listCombineScatter(values);
 }
 
 void joinBox(boundBox& a, const boundBox& b)
@@ -45,7 +37,8 @@ void joinBox(boundBox& a, const boundBox& b)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::labelList Foam::generalInterface::candidates(const scalar time)
+Foam::List<Foam::generalInterface::pairKey>
+Foam::generalInterface::candidates(const scalar time)
 {
     // Until the next search each side moves by reach_ at most, and pairings
     // look as far as twice that
@@ -62,13 +55,13 @@ Foam::labelList Foam::generalInterface::candidates(const scalar time)
             same ? momentum[i - 1] : surfaces_[i].body->linearMomentum();
         mass[i] = same ? mass[i - 1] : surfaces_[i].body->mass();
     }
-    boxes = everywhere(boxes, joinBox);
-    momentum = everywhere(momentum, plusEqOp<vector>());
-    mass = everywhere(mass, plusEqOp<scalar>());
+    everywhere(boxes, joinBox);
+    everywhere(momentum, plusEqOp<vector>());
+    everywhere(mass, plusEqOp<scalar>());
     vector frame(Zero);
     forAll(surfaces_, i) frame += momentum[i]/mass[i]/surfaces_.size();
     forAll(surfaces_, i) speed[i] = motions_[i].speed(frame);
-    speed = everywhere(speed, maxEqOp<scalar>());
+    everywhere(speed, maxEqOp<scalar>());
 
     pointField centres(boxes.size());
     scalarField radius(boxes.size());
@@ -83,7 +76,7 @@ Foam::labelList Foam::generalInterface::candidates(const scalar time)
     const autoPtr<pointTree> tree(newPointTree(centres, max(radius)));
 
     // Each finds those that are not larger than itself
-    labelHashSet near;
+    HashSet<pairKey, keyHash> near;
     forAll(boxes, i)
     {
         treeBoundBox around(boxes[i]);
@@ -94,10 +87,10 @@ Foam::labelList Foam::generalInterface::candidates(const scalar time)
             if
             (
                 radius[j] <= radius[i] && boxes[i].overlaps(boxes[j])
-             && rule_[key(i, j)] >= 0
+             && rule_(i, j) >= 0
             )
             {
-                near.insert(key(i, j));
+                near.insert(rule_.key(i, j));
             }
         }
     }
@@ -160,14 +153,22 @@ void Foam::generalInterface::collect()
 }
 
 
-Foam::word Foam::generalInterface::partName(const label key) const
+Foam::word Foam::generalInterface::partName(const pairKey key) const
 {
-    const label n = surfaces_.size();
+    const labelPair pair(rule_.pairOf(key));
     return word
     (
-        name() + '.' + surfaceSelection::name(surfaces_[key/n]) + '-'
-      + surfaceSelection::name(surfaces_[key % n])
+        name() + '.' + surfaceSelection::name(surfaces_[pair.first()]) + '-'
+      + surfaceSelection::name(surfaces_[pair.second()])
     );
+}
+
+
+const Foam::contactInterface::account&
+Foam::generalInterface::sumsOf(const pairKey key) const
+{
+    const label i = findSortedIndex(keys_, key);
+    return i >= 0 ? parts_[i].sums() : past_[key];
 }
 
 
@@ -217,9 +218,12 @@ Foam::generalInterface::parts() const
 Foam::List<Foam::contactInterface::pairState>
 Foam::generalInterface::pairStates() const
 {
-    DynamicList<pairState> states(parts_.size());
-    for (const bodyInterface& part : parts_)
+    // What has never had overlaps has nothing to tell
+    DynamicList<pairState> states(past_.size());
+    forAll(parts_, i)
     {
+        if (!past_.found(keys_[i])) continue;
+        const bodyInterface& part = parts_[i];
         states.append
         (
             pairState
@@ -228,12 +232,12 @@ Foam::generalInterface::pairStates() const
             }
         );
     }
-    const label n = surfaces_.size();
-    for (const label k : past_.sortedToc())
+    for (const pairKey k : past_.sortedToc())
     {
         if (findSortedIndex(keys_, k) >= 0) continue;
-        const contactSide& a = surfaces_[k/n];
-        const contactSide& b = surfaces_[k % n];
+        const labelPair pair(rule_.pairOf(k));
+        const contactSide& a = surfaces_[pair.first()];
+        const contactSide& b = surfaces_[pair.second()];
         states.append
         (
             pairState{bodyInterface::namesOf(a, b), nullptr, &past_[k]}
@@ -272,11 +276,11 @@ void Foam::generalInterface::update(const scalar time, const bool all)
         }
         reduce(search, orOp<bool>());
         forAll(parts_, i) moved[i] = parts_[i].outdated(time, 0.5);
-        moved = everywhere(moved, orEqOp<bool>());
+        everywhere(moved, orEqOp<bool>());
     }
 
     // What is there and near stays
-    labelList keys(keys_);
+    List<pairKey> keys(keys_);
     if (search) keys = candidates(time);
 
     boolList wasSummed;
@@ -287,13 +291,16 @@ void Foam::generalInterface::update(const scalar time, const bool all)
 
     PtrList<bodyInterface> parts(keys.size());
     label old = 0;
-    const label n = surfaces_.size();
     const auto take = [&](const label i, const bool kept)
     {
         bodyInterface& part = parts[i];
         due_[i] = part.pairing().due();
         const bool is = part.pairing().active();
-        if (is) active.append(i);
+        if (is)
+        {
+            active.append(i);
+            past_.insert(keys[i], account());
+        }
         if (is || kept) summed.append(i);
         // Its sums have not changed in this step yet
         if (is && !kept) part.keepSums();
@@ -306,7 +313,7 @@ void Foam::generalInterface::update(const scalar time, const bool all)
     {
         list->setSize(keys.size(), false);
     }
-    wanted.setSize(n, false);
+    wanted.setSize(surfaces_.size(), false);
     forAll(keys, i)
     {
         while (old < keys_.size() && keys_[old] < keys[i]) ++old;
@@ -316,9 +323,9 @@ void Foam::generalInterface::update(const scalar time, const bool all)
         kept[i] = wasSummed[old];
         again[i] = moved[old];
         if (!again[i]) continue;
-        wanted[keys[i]/n] = wanted[keys[i] % n] = true;
+        for (const label k : rule_.pairOf(keys[i])) wanted[k] = true;
     }
-    labelList place(n, -1);
+    labelList place(surfaces_.size(), -1);
     DynamicList<contactSide> sides;
     forAll(wanted, i)
     {
@@ -330,13 +337,15 @@ void Foam::generalInterface::update(const scalar time, const bool all)
     (
         contactSurface::snapshots(sides, true)
     );
-    const auto minus = [&](const label key) -> const contactSurface::snapshot&
+    const auto minus = [&](const pairKey key)
+        -> const contactSurface::snapshot&
     {
-        return now[place[key/n]];
+        return now[place[rule_.pairOf(key).first()]];
     };
-    const auto plus = [&](const label key) -> const contactSurface::snapshot&
+    const auto plus = [&](const pairKey key)
+        -> const contactSurface::snapshot&
     {
-        return now[place[key % n]];
+        return now[place[rule_.pairOf(key).second()]];
     };
     forAll(keys, i)
     {
@@ -346,7 +355,7 @@ void Foam::generalInterface::update(const scalar time, const bool all)
     {
         overlap[i] = again[i] && parts[i].pairing().overlaps().size();
     }
-    overlap = everywhere(overlap, orEqOp<bool>());
+    everywhere(overlap, orEqOp<bool>());
     forAll(keys, i)
     {
         if (again[i])
@@ -358,13 +367,14 @@ void Foam::generalInterface::update(const scalar time, const bool all)
         }
         if (!isOld[i])
         {
+            const labelPair pair(rule_.pairOf(keys[i]));
             parts.set
             (
                 i,
                 new bodyInterface
                 (
-                    partName(keys[i]), rules_[rule_[keys[i]]],
-                    surfaces_[keys[i]/n], surfaces_[keys[i] % n]
+                    partName(keys[i]), ruleOf(keys[i]),
+                    surfaces_[pair.first()], surfaces_[pair.second()]
                 )
             );
             if (past_.found(keys[i])) parts[i].setSums(past_[keys[i]]);
@@ -373,7 +383,7 @@ void Foam::generalInterface::update(const scalar time, const bool all)
     }
     forAll(parts_, i)
     {
-        if (parts_.set(i))
+        if (parts_.set(i) && past_.found(keys_[i]))
         {
             past_.set(keys_[i], parts_[i].sums());
         }

@@ -142,6 +142,12 @@ PtrList<pairEntry> readPairs(const dictionary& dict)
     return pairs;
 }
 
+//- The keyword that names the surfaces
+word chosenBy(const dictionary& dict)
+{
+    return word(dict.found("sides") ? "sides" : "surfaces");
+}
+
 } // End anonymous namespace
 
 
@@ -149,33 +155,23 @@ PtrList<pairEntry> readPairs(const dictionary& dict)
 
 Foam::label Foam::generalInterface::indexOf(const contactSide& side) const
 {
-    forAll(surfaces_, i)
-    {
-        if (surfaces_[i] == side) return i;
-    }
-    return -1;
+    const auto known = numbers_.find({side.body, side.patchi});
+    return known == numbers_.end() ? -1 : known->second;
 }
 
 
-template<class Function>
-void Foam::generalInterface::forPairs
+Foam::labelList Foam::generalInterface::indicesOf
 (
-    const List<contactSide>& a,
-    const List<contactSide>& b,
-    const Function& f
+    const UList<contactSide>& sides
 ) const
 {
-    labelList others(b.size());
-    forAll(b, j) others[j] = indexOf(b[j]);
-    for (const contactSide& s : a)
+    DynamicList<label> indices(sides.size());
+    for (const contactSide& side : sides)
     {
-        const label i = indexOf(s);
-        if (i < 0) continue;
-        for (const label j : others)
-        {
-            if (j >= 0) f(key(i, j));
-        }
+        const label i = indexOf(side);
+        if (i >= 0) indices.append(i);
     }
+    return labelList(indices);
 }
 
 
@@ -183,16 +179,17 @@ void Foam::generalInterface::refuseTwoLaws
 (
     const dictionary& dict,
     const word& keyword,
-    const label key,
+    const labelPair& pair,
     const word& first,
     const word& second
 ) const
 {
-    const label n = surfaces_.size();
+    const contactSide& a = surfaces_[min(pair.first(), pair.second())];
+    const contactSide& b = surfaces_[max(pair.first(), pair.second())];
     FatalIOErrorInFunction(dict)
         << "Keyword '" << keyword << "': the pair "
-        << surfaceSelection::name(surfaces_[key/n]).c_str() << " and "
-        << surfaceSelection::name(surfaces_[key % n]).c_str()
+        << surfaceSelection::name(a).c_str() << " and "
+        << surfaceSelection::name(b).c_str()
         << " has two laws, in '" << first << "' and in '" << second << '\''
         << exit(FatalIOError);
 }
@@ -251,48 +248,103 @@ void Foam::generalInterface::readRules
             << exit(FatalIOError);
     }
 
-    // Who meets whom
-    const bool self =
-        dictionaryCheck::readOptional<bool>(dict, described, "self");
-    const auto meet = [&](const label k)
+    readSurfaces(dict, bodies);
+    readPairLaws(dict, bodies);
+    readExclude(dict, bodies);
+    leavePairs(dict, others);
+
+    const boolList meets(rule_.meets());
+    forAll(meets, i)
     {
-        const label n = surfaces_.size();
-        const solidBody& a = *surfaces_[k/n].body;
-        const solidBody& b = *surfaces_[k % n].body;
-        // Nothing comes of contact between what no force moves apart
-        if ((&a == &b && a.rigid()) || (a.immovable() && b.immovable())) return;
-        if (self || k/n != k % n) rule_[k] = 0;
+        if (!meets[i])
+        {
+            FatalIOErrorInFunction(dict)
+                << "Keyword '"
+                << (dict.found("exclude") ? word("exclude") : chosenBy(dict))
+                << "': nothing is left that "
+                << surfaceSelection::name(surfaces_[i]).c_str()
+                << " may touch. Surfaces that touch nothing have the type "
+                << "'tractionFree' in pointU." << nl << "These have 'contact': "
+                << surfaceSelection::listed
+                   (
+                       surfaceSelection::all(bodies)
+                   ).c_str()
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
+void Foam::generalInterface::readSurfaces
+(
+    const dictionary& dict,
+    PtrList<solidBody>& bodies
+)
+{
+    DynamicList<contactSide> all;
+    const auto take = [&](const UList<contactSide>& some)
+    {
+        for (const contactSide& s : some)
+        {
+            if (numbers_.emplace(std::make_pair(s.body, s.patchi), all.size())
+                .second)
+            {
+                all.append(s);
+            }
+        }
     };
+    FixedList<List<contactSide>, 2> sets;
     if (dict.found("surfaces"))
     {
         const expression e(surfaceSelection::read(dict, "surfaces"));
-        surfaces_ =
+        sets[0] =
             e.leaf && e.name == "all"
           ? surfaceSelection::all(bodies)
           : surfaceSelection::select(dict, "surfaces", e, bodies);
-        rule_.setSize(surfaces_.size()*surfaces_.size(), label(-1));
-        forPairs(surfaces_, surfaces_, meet);
+        sets[1] = sets[0];
     }
     else
     {
-        const auto sets = readSets
+        sets = readSets
         (
             dict, "sides", surfaceSelection::read(dict, "sides"), bodies
         );
-        DynamicList<contactSide> both(sets[0]);
-        for (const contactSide& s : sets[1])
-        {
-            bool there = false;
-            for (const contactSide& t : sets[0]) there = there || s == t;
-            if (!there) both.append(s);
-        }
-        surfaces_ = both;
-        rule_.setSize(surfaces_.size()*surfaces_.size(), label(-1));
-        forPairs(sets[0], sets[1], meet);
     }
-    const label n = surfaces_.size();
-    const word chosenBy(dict.found("sides") ? "sides" : "surfaces");
+    for (const List<contactSide>& some : sets) take(some);
+    surfaces_ = all;
 
+    // Nothing comes of contact between what no force moves apart
+    std::map<const solidBody*, label> rigidBodies;
+    labelList rigid(surfaces_.size(), -1);
+    boolList fixed;
+    fixed.setSize(surfaces_.size(), false);
+    forAll(surfaces_, i)
+    {
+        const solidBody& body = *surfaces_[i].body;
+        fixed[i] = body.immovable();
+        if (body.rigid())
+        {
+            rigid[i] =
+                rigidBodies.emplace(&body, label(rigidBodies.size()))
+               .first->second;
+        }
+    }
+    rule_ = pairRules
+    (
+        rigid,
+        fixed,
+        dictionaryCheck::readOptional<bool>(dict, keywords(), "self")
+    );
+    rule_.allow(indicesOf(sets[0]), indicesOf(sets[1]));
+}
+
+
+void Foam::generalInterface::readPairLaws
+(
+    const dictionary& dict,
+    PtrList<solidBody>& bodies
+)
+{
     rules_.setSize(1);
     rules_.set(0, partDict(dict, dict).ptr());
     const PtrList<pairEntry> pairs(readPairs(dict));
@@ -303,91 +355,73 @@ void Foam::generalInterface::readRules
             pair.dict, pair.keyword, pair.sides, bodies
         );
         rules_.append(partDict(dict, pair.dict).ptr());
-        const label rule = rules_.size() - 1;
-        bool any = false;
-        forPairs(sets[0], sets[1], [&](const label k)
+        const labelList a(indicesOf(sets[0])), b(indicesOf(sets[1]));
+        const labelPair two(rule_.give(a, b, rules_.size() - 1));
+        if (two.first() >= 0)
         {
-            if (rule_[k] > 0 && rule_[k] != rule)
-            {
-                refuseTwoLaws
-                (
-                    dict, "pairs", k, pairs[rule_[k] - 1].name, pair.name
-                );
-            }
-            if (rule_[k] == 0) rule_[k] = rule;
-            any = true;
-        });
-        if (!any)
+            const label rule = rule_(two.first(), two.second());
+            refuseTwoLaws(dict, "pairs", two, pairs[rule - 1].name, pair.name);
+        }
+        if (a.empty() || b.empty())
         {
             FatalIOErrorInFunction(dict)
                 << "Keyword 'pairs': '" << pair.name << "' has no pair of the "
-                << "surfaces in '" << chosenBy << "'. These are: "
+                << "surfaces in '" << chosenBy(dict) << "'. These are: "
                 << surfaceSelection::listed(surfaces_).c_str()
                 << exit(FatalIOError);
         }
     }
+}
 
-    if (dict.found("exclude"))
+
+void Foam::generalInterface::readExclude
+(
+    const dictionary& dict,
+    PtrList<solidBody>& bodies
+)
+{
+    if (!dict.found("exclude")) return;
+    const expression e(surfaceSelection::read(dict, "exclude"));
+
+    // One pair, or a list of them
+    if (e.leaf) readSets(dict, "exclude", e, bodies);
+    const bool one =
+        e.list.size() == 2 && e.list[0].surface() && e.list[1].surface();
+    const List<expression> pairs(one ? List<expression>(1, e) : e.list);
+    for (const expression& p : pairs)
     {
-        const expression e(surfaceSelection::read(dict, "exclude"));
-
-        // One pair, or a list of them
-        if (e.leaf) readSets(dict, "exclude", e, bodies);
-        const bool one =
-            e.list.size() == 2 && e.list[0].surface() && e.list[1].surface();
-        const List<expression> pairs
-        (
-            one ? List<expression>(1, e) : e.list
-        );
-        for (const expression& p : pairs)
-        {
-            const auto sets = readSets(dict, "exclude", p, bodies);
-            forPairs(sets[0], sets[1], [&](const label k) { rule_[k] = -1; });
-        }
+        const auto sets = readSets(dict, "exclude", p, bodies);
+        rule_.exclude(indicesOf(sets[0]), indicesOf(sets[1]));
     }
+}
 
-    // Pairs with an interface of their own
-    boolList meets;
-    meets.setSize(n, false);
+
+void Foam::generalInterface::leavePairs
+(
+    const dictionary& dict,
+    const UPtrList<contactInterface>& others
+)
+{
     for (const contactInterface& other : others)
     {
-        const List<contactSide> theirs(other.sides());
-        forPairs(theirs, theirs, [&](const label k)
+        if (other.many())
         {
-            const label i = k/n, j = k % n;
-            if (rule_[k] < 0 || !other.joins(surfaces_[i], surfaces_[j]))
+            const auto& many = dynamic_cast<const generalInterface&>(other);
+            labelList theirs(surfaces_.size());
+            forAll(theirs, i) theirs[i] = many.indexOf(surfaces_[i]);
+            const labelPair two(rule_.common(many.rule_, theirs));
+            if (two.first() >= 0)
             {
-                return;
+                refuseTwoLaws(dict, chosenBy(dict), two, other.name(), name());
             }
-            if (other.many())
-            {
-                refuseTwoLaws(dict, chosenBy, k, other.name(), name());
-            }
-            rule_[k] = -1;
-            meets[i] = meets[j] = true;
-        });
-    }
-
-    forAll(rule_, k)
-    {
-        if (rule_[k] >= 0) meets[k/n] = meets[k % n] = true;
-    }
-    forAll(meets, i)
-    {
-        if (!meets[i])
+            continue;
+        }
+        const List<contactSide> sides(other.sides());
+        for (const contactSide& a : sides)
+        for (const contactSide& b : sides)
         {
-            FatalIOErrorInFunction(dict)
-                << "Keyword '"
-                << (dict.found("exclude") ? word("exclude") : chosenBy)
-                << "': nothing is left that "
-                << surfaceSelection::name(surfaces_[i]).c_str()
-                << " may touch. Surfaces that touch nothing have the type "
-                << "'tractionFree' in pointU." << nl << "These have 'contact': "
-                << surfaceSelection::listed
-                   (
-                       surfaceSelection::all(bodies)
-                   ).c_str()
-                << exit(FatalIOError);
+            const label i = indexOf(a), j = indexOf(b);
+            if (i >= 0 && j >= 0 && other.joins(a, b)) rule_.takeAway(i, j);
         }
     }
 }
@@ -422,7 +456,7 @@ bool Foam::generalInterface::joins
 ) const
 {
     const label i = indexOf(a), j = indexOf(b);
-    return i >= 0 && j >= 0 && rule_[key(i, j)] >= 0;
+    return i >= 0 && j >= 0 && rule_(i, j) >= 0;
 }
 
 
@@ -448,7 +482,7 @@ void Foam::generalInterface::readLaw(const dictionary& dict)
     {
         rules_.set(i + 1, partDict(dict, pairs[i].dict).ptr());
     }
-    forAll(parts_, i) parts_[i].readLaw(rules_[rule_[keys_[i]]]);
+    forAll(parts_, i) parts_[i].readLaw(ruleOf(keys_[i]));
     join();
 }
 
@@ -457,17 +491,19 @@ void Foam::generalInterface::writeRecord(Ostream& os) const
 {
     contactInterface::writeRecord(os);
 
-    // Of all pairs that have touched: all ranks have the same
-    Map<account> all(past_);
-    forAll(parts_, i) all.set(keys_[i], parts_[i].sums());
+    // Of all pairs that have touched: all ranks have the same. One exchange
+    const List<pairKey> keys(past_.sortedToc());
+    List<account> all(keys.size());
+    forAll(keys, i) all[i] = sumsOf(keys[i]);
+    account::total(all);
     os  << "    pairs" << nl << "    {" << nl;
-    for (const label k : all.sortedToc())
+    forAll(keys, i)
     {
-        const account sums(all[k].total());
-        if (sums.touched())
+        if (all[i].touched())
         {
-            os  << "    \"" << partName(k) << "\"" << nl << "    {" << nl;
-            sums.write(os);
+            os  << "    \"" << partName(keys[i]) << "\"" << nl << "    {"
+                << nl;
+            all[i].write(os);
             os  << "    }" << nl;
         }
     }
@@ -478,25 +514,41 @@ void Foam::generalInterface::writeRecord(Ostream& os) const
 void Foam::generalInterface::readRecord(const dictionary& record)
 {
     contactInterface::readRecord(record);
-    const dictionary& pairs = record.subOrEmptyDict("pairs");
-    forAll(rule_, k)
+
+    // The name of a pair is made of those of its surfaces
+    std::multimap<std::string, label> named;
+    forAll(surfaces_, i)
     {
-        if (rule_[k] < 0 || !pairs.found(partName(k), keyType::LITERAL))
+        named.emplace(surfaceSelection::name(surfaces_[i]), i);
+    }
+    const dictionary pairs(record.subOrEmptyDict("pairs"));
+    for (const entry& e : pairs)
+    {
+        const account sums(account::read(e.dict()));
+        const auto set = [&](const label i, const label j)
         {
-            continue;
-        }
-        const account sums
-        (
-            account::read(pairs.subDict(partName(k), keyType::LITERAL))
-        );
-        const label i = keys_.find(k);
-        if (i >= 0)
-        {
-            parts_[i].setSums(sums);
-        }
-        else
-        {
+            const pairKey k = rule_.key(i, j);
+            if (i > j || rule_(i, j) < 0 || partName(k) != e.keyword()) return;
             past_.set(k, sums);
+            const label part = findSortedIndex(keys_, k);
+            if (part >= 0) parts_[part].setSums(sums);
+        };
+        const std::string& text = e.keyword();
+        const std::size_t start = name().size() + 1;
+        for
+        (
+            std::size_t dash = text.find('-', start);
+            dash != std::string::npos;
+            dash = text.find('-', dash + 1)
+        )
+        {
+            const auto a = named.equal_range(text.substr(start, dash - start));
+            const auto b = named.equal_range(text.substr(dash + 1));
+            for (auto i = a.first; i != a.second; ++i)
+            for (auto j = b.first; j != b.second; ++j)
+            {
+                set(i->second, j->second);
+            }
         }
     }
 }
@@ -504,10 +556,8 @@ void Foam::generalInterface::readRecord(const dictionary& record)
 
 void Foam::generalInterface::report(Ostream& os) const
 {
-    label nPairs = 0;
-    for (const label rule : rule_) nPairs += (rule >= 0);
     os  << "Interface " << name() << ": " << surfaces_.size()
-        << " surfaces, of whose pairs " << nPairs << " may meet and "
+        << " surfaces, of whose pairs " << rule_.nPairs() << " may meet and "
         << parts_.size() << " are near, pairing nearestFace, law "
         << law_->type();
     if (rules_.size() > 1)

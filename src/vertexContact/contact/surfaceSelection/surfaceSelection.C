@@ -185,18 +185,18 @@ Foam::contactSide Foam::surfaceSelection::single
 {
     const word& region = which.first();
     const word& patch = which.second();
-    wordList regions(bodies.size());
-    forAll(bodies, i)
+    for (solidBody& body : bodies)
     {
-        regions[i] = bodies[i].name();
-        if (regions[i] == region)
+        if (body.name() == region)
         {
             return contactSide
             {
-                &bodies[i], bodies[i].contactPatch(dict, keyword, patch), patch
+                &body, body.contactPatch(dict, keyword, patch), patch
             };
         }
     }
+    wordList regions(bodies.size());
+    forAll(bodies, i) regions[i] = bodies[i].name();
     FatalIOErrorInFunction(dict)
         << "Keyword '" << keyword << "': there is no region '" << region
         << "'." << nl << "Regions: "
