@@ -191,7 +191,8 @@ Foam::generalInterface::generalInterface
     forAll(surfaces_, i)
     {
         motions_.set(i, new surfaceMotion(surfaces_[i]));
-        reach_ = max(reach_, contactSurface::sizesOf(surfaces_[i]).reach);
+        const contactSide& side = surfaces_[i];
+        reach_ = max(reach_, side.body->surface(side.patchi).reach);
     }
 
     update(bodies[0].mesh().time().value(), true);

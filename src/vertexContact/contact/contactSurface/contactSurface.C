@@ -347,15 +347,17 @@ Foam::contactFaceList Foam::contactSurface::faces
 }
 
 
-Foam::contactSurface::sizes Foam::contactSurface::sizesOf
+void Foam::contactSurface::findSizes
 (
-    const contactSide& side
+    const solidBody& body,
+    const label patchi,
+    bodySurface& surface
 )
 {
-    const dualPatch& patch = side.body->dual().patches()[side.patchi];
-    const scalarField& depth = side.body->surface(side.patchi).depth;
-    const positions at(side, false);
-    sizes all;
+    const dualPatch& patch = body.dual().patches()[patchi];
+    const scalarField& depth = surface.depth;
+    const scalar* at = body.dual().nodePosition().cdata();
+    const label d = body.dual().nDim();
     patch.forFaces([&](const dualPatch::face& f)
     {
         const label start = f.start, size = f.size;
@@ -363,21 +365,20 @@ Foam::contactSurface::sizes Foam::contactSurface::sizesOf
         point centre(Zero);
         for (label j = 0; j < size; ++j)
         {
-            X[j] = at.reference(patch.cornerNode[start + j]);
+            X[j] = body.expand(at + patch.cornerNode[start + j]*d);
             centre += X[j];
         }
         centre /= size;
         const scalar width = size > 1 ? meanEdge(X, size) : depth[start];
-        all.least = min(all.least, width);
-        all.reach = max(all.reach, width);
+        surface.leastWidth = min(surface.leastWidth, width);
+        surface.reach = max(surface.reach, width);
         for (label j = 0; j < size; ++j)
         {
-            all.reach = max(all.reach, mag(X[j] - centre));
+            surface.reach = max(surface.reach, mag(X[j] - centre));
         }
     });
-    reduce(all.least, minOp<scalar>());
-    reduce(all.reach, maxOp<scalar>());
-    return all;
+    reduce(surface.leastWidth, minOp<scalar>());
+    reduce(surface.reach, maxOp<scalar>());
 }
 
 
@@ -447,7 +448,16 @@ Foam::contactSurface::snapshot::snapshot
     outlines
     (
         side, current, [](const label) { return true; },
-        [&](const outline& o) { faces.append(o); axis += o.n; }
+        [&](const outline& o)
+        {
+            if (!(faces.size() % runLength))
+            {
+                runs.append(boundBox(boundBox::invertedBox));
+            }
+            faces.append(o);
+            runs.last().add(o.box);
+            axis += o.n;
+        }
     );
 }
 
@@ -574,18 +584,26 @@ Foam::contactSurface::snapshot::in(const boundBox& box) const
     DynamicList<outline> found;
     if (whole)
     {
-        for (const outline& o : faces)
+        const auto meets = [&](const boundBox& b)
         {
-            bool meets = true;
+            bool all = true;
             for (label i = 0; i < d; ++i)
             {
                 const direction e = directions[i];
-                meets =
-                    meets
-                 && o.box.min()[e] <= box.max()[e]
-                 && o.box.max()[e] >= box.min()[e];
+                all =
+                    all
+                 && b.min()[e] <= box.max()[e] && b.max()[e] >= box.min()[e];
             }
-            if (meets) found.append(o);
+            return all;
+        };
+        forAll(runs, run)
+        {
+            if (!meets(runs[run])) continue;
+            const label end = min((run + 1)*runLength, faces.size());
+            for (label i = run*runLength; i < end; ++i)
+            {
+                if (meets(faces[i].box)) found.append(faces[i]);
+            }
         }
         return found;
     }

@@ -288,9 +288,9 @@ Foam::contactPairings::nearestFace::nearestFace
       + Foam::name(surfaceMotion::largestDistance)).c_str()
     );
 
-    const contactSurface::sizes a(contactSurface::sizesOf(minus_));
-    const contactSurface::sizes b(contactSurface::sizesOf(plus_));
-    leastWidth_ = min(a.least, b.least);
+    const bodySurface& a = minus_.body->surface(minus_.patchi);
+    const bodySurface& b = plus_.body->surface(plus_.patchi);
+    leastWidth_ = min(a.leastWidth, b.leastWidth);
     reach_ = max(a.reach, b.reach);
 
     const PtrList<contactSurface::snapshot> now
