@@ -14,7 +14,6 @@
 #include "symmetryPlanePolyPatch.H"
 #include "slipPointPatchField.H"
 #include "solidBoundaryCondition.H"
-#include "contactSurface.H"
 #include "dictionaryCheck.H"
 #include "patchRim.H"
 #include "pointPatchFields.H"
@@ -191,7 +190,7 @@ void Foam::solidBody::makeCorners()
             depth[k] =
                 2*dual_.nodeVolume()[a]/max(along, patch.cornerArea[k]);
         }
-        if (bc.contact()) contactSurface::findSizes(*this, patchi, its);
+        if (bc.contact()) its.findSizes(dual_, patch);
     }
 
     if (hasContact) contact_.start();

@@ -137,7 +137,7 @@ contactFace makeFace
         );
     }
     f.N = mean/mag(mean);
-    f.width = f.size > 1 ? contactSurface::meanEdge(f.X, f.size) : f.depth[0];
+    f.width = f.size > 1 ? bodySurface::meanEdge(f.X, f.size) : f.depth[0];
 
     f.n = currentNormal(f.x, f.X, f.size, d, f.N, out);
     return f;
@@ -227,7 +227,7 @@ void outlines
         o.n = currentNormal(x, X, size, at.d, N, out);
         o.width =
             size > 1
-          ? contactSurface::meanEdge(X, size)
+          ? bodySurface::meanEdge(X, size)
           : body.surface(side.patchi).depth[start];
         f(o);
     }
@@ -315,21 +315,6 @@ Foam::vector Foam::contactSurface::areaNormal
 }
 
 
-Foam::scalar Foam::contactSurface::meanEdge
-(
-    const FixedList<point, 4>& x,
-    const label size
-)
-{
-    scalar around = 0;
-    for (label i = 0; i < size; ++i)
-    {
-        around += mag(x[(i + 1) % size] - x[i]);
-    }
-    return around/size;
-}
-
-
 Foam::contactFaceList Foam::contactSurface::faces
 (
     const contactSide& side,
@@ -344,41 +329,6 @@ Foam::contactFaceList Foam::contactSurface::faces
         faces[facei] = makeFace(side, corners, out, facei, current);
     }
     return faces;
-}
-
-
-void Foam::contactSurface::findSizes
-(
-    const solidBody& body,
-    const label patchi,
-    bodySurface& surface
-)
-{
-    const dualPatch& patch = body.dual().patches()[patchi];
-    const scalarField& depth = surface.depth;
-    const scalar* at = body.dual().nodePosition().cdata();
-    const label d = body.dual().nDim();
-    patch.forFaces([&](const dualPatch::face& f)
-    {
-        const label start = f.start, size = f.size;
-        FixedList<point, 4> X(point::zero);
-        point centre(Zero);
-        for (label j = 0; j < size; ++j)
-        {
-            X[j] = body.expand(at + patch.cornerNode[start + j]*d);
-            centre += X[j];
-        }
-        centre /= size;
-        const scalar width = size > 1 ? meanEdge(X, size) : depth[start];
-        surface.leastWidth = min(surface.leastWidth, width);
-        surface.reach = max(surface.reach, width);
-        for (label j = 0; j < size; ++j)
-        {
-            surface.reach = max(surface.reach, mag(X[j] - centre));
-        }
-    });
-    reduce(surface.leastWidth, minOp<scalar>());
-    reduce(surface.reach, maxOp<scalar>());
 }
 
 

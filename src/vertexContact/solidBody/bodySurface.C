@@ -1,0 +1,60 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "bodySurface.H"
+#include "medianDual.H"
+#include "PstreamReduceOps.H"
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::bodySurface::findSizes
+(
+    const medianDual& dual,
+    const dualPatch& patch
+)
+{
+    const scalar* at = dual.nodePosition().cdata();
+    const label d = dual.nDim();
+    patch.forFaces([&](const dualPatch::face& f)
+    {
+        const label start = f.start, size = f.size;
+        FixedList<point, 4> X(point::zero);
+        point centre(Zero);
+        for (label j = 0; j < size; ++j)
+        {
+            X[j] = dual.expand(at + patch.cornerNode[start + j]*d);
+            centre += X[j];
+        }
+        centre /= size;
+        const scalar width = size > 1 ? meanEdge(X, size) : depth[start];
+        leastWidth = min(leastWidth, width);
+        reach = max(reach, width);
+        for (label j = 0; j < size; ++j)
+        {
+            reach = max(reach, mag(X[j] - centre));
+        }
+    });
+    reduce(leastWidth, minOp<scalar>());
+    reduce(reach, maxOp<scalar>());
+}
+
+
+Foam::scalar Foam::bodySurface::meanEdge
+(
+    const FixedList<point, 4>& x,
+    const label size
+)
+{
+    scalar around = 0;
+    for (label i = 0; i < size; ++i)
+    {
+        around += mag(x[(i + 1) % size] - x[i]);
+    }
+    return around/size;
+}
+
+
+// ************************************************************************* //
