@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from vertexContactTests import caseTools
-from vertexContactTests.caseTools import checked
+from vertexContactTests.caseTools import DEFAULT, checked
 from vertexContactTests.smallCases import (ELASTIC, Body, SmallCase, condition,
                                            interface, largest)
 
@@ -118,6 +118,31 @@ def test_plugin(tmp_path, figures, library):
             I = case.contact(name)[f"{name}Block.bottom:Ix"]
             f.atMost(f"{name}: impulse - change of momentum / initial",
                      abs(I[-1] - (p[-1] - p[0]))/p[0], 1e-12)
+
+
+def test_sticks(tmp_path, figures, library):
+    """With the default scheme a block slides down a base that leans by half of
+    the angle of friction, slower and slower, and stays where it has stopped.
+    It comes farther than a rigid one: parts of its base that shake go back."""
+    name = "block"
+    case = SmallCase(
+        tmp_path, stack(name, 0), endTime=55, preset=DEFAULT,
+        interfaces={name: interface(
+            (f"{name}Block", "bottom"), (f"{name}Base", "top"),
+            {"type": "Orowan", "frictionCoeff": FRICTION,
+             "tauMax": LIMITS["unlimited"]}, pairing="nearestFace")},
+        gravity=(0.5*FRICTION*WEIGHT, -WEIGHT, 0), functions=("contactForces",),
+        control={"libs": f'(vertexContact "{library}")'}).run()
+    t, v = case.momentum["Time"], case.momentumOf(f"{name}Block")[:, 0]/MASS
+    stopped = SPEED/(0.5*FRICTION*WEIGHT)
+    way = np.concatenate(([0], np.cumsum((v[1:] + v[:-1])/2*np.diff(t))))
+    # The stopped block swings on its base
+    early, late = (way[(t > a*stopped) & (t < (a + 1)*stopped)].mean()
+                   for a in (2, 3))
+    with figures("plugin: new contact law, sticking block") as f:
+        f.atLeast("way until it stops / of a rigid block",
+                  early/(SPEED*stopped/2), 0.95)
+        f.atMost("way after that / cell", abs(late - early)/(LENGTH/16), 1e-3)
 
 
 def test_nothing_else_knows(figures):

@@ -95,6 +95,8 @@ public:
             p.result = coulombContact(p.minus, p.plus, p.n, k);
         }
     }
+
+    virtual bool sticks() const { return k_ > 0 && tauMax_ > 0; }
 };
 
 
