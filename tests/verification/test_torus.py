@@ -20,7 +20,7 @@ def dissipated(case):
     return case.energies["total:numericalDissipation"][-1]/case.totalEnergy[0]
 
 
-def checkImpact(f, case):
+def checkImpact(f, case, total=1e-10):
     contact, total, momentum = case.contact("wall"), case.totalEnergy, \
         case.momentum
     p0 = momentum["torus:px"][0]
@@ -33,7 +33,7 @@ def checkImpact(f, case):
         1e-9)
     f.atMost("momentum across / initial", max(
         np.abs(momentum[f"torus:p{c}"]).max() for c in "yz")/p0, 1e-12)
-    checkEnergies(f, case, "wall", balance=5e-4, total=1e-10, penetration=0.09)
+    checkEnergies(f, case, "wall", balance=5e-4, total=total, penetration=0.09)
 
 
 @scenes(EARLY_COARSE, EARLY)
@@ -52,11 +52,12 @@ def test_first_contact_and_momentum(run, figures):
 @scenes(FULL, MEDIUM, COARSE)
 def test_stays_on_the_wall(run, figures):
     """Mesh II with the default scheme, until 50 ms, when it is nearly folded,
-    beyond the paper's scenes and its scheme. With these data of the material the torus does not
-    leave the wall by then (README)."""
+    beyond the paper's scenes and its scheme. With these data of the material
+    the torus does not leave the wall by then (README). Where it creases steps
+    get shorter, and what the leapfrog keeps of its energy becomes another."""
     case = run(FULL)
     with figures("3.7 torus, Mesh II") as f:
-        checkImpact(f, case)
+        checkImpact(f, case, total=1e-5)
         f.falling("numerical dissipation / initial energy",
                   [dissipated(run(scene)) for scene in (COARSE, MEDIUM, FULL)])
         f.atLeast("energy at 50 ms / initial",
