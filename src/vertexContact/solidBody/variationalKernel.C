@@ -6,7 +6,6 @@
 
 #include "variationalKernelTemplate.H"
 #include "edgeBlocks.H"
-#include "ListOps.H"
 #include "nodeGraph.H"
 #include "sharedEdges.H"
 #include <cmath>

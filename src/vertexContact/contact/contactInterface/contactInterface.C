@@ -14,18 +14,17 @@
 
 Foam::contactInterface::account Foam::contactInterface::account::total() const
 {
-    account all;
-    all.impulse = returnReduce(impulse, sumOp<vector>());
-    all.plusImpulse = returnReduce(plusImpulse, sumOp<vector>());
-    all.friction = returnReduce(friction, sumOp<scalar>());
-    return all;
+    List<account> one(1, *this);
+    total(one);
+    return one[0];
 }
 
 
 void Foam::contactInterface::account::total(List<account>& sums)
 {
     if (!Pstream::parRun()) return;
-    List<FixedList<scalar, 7>> all(sums.size());
+    typedef FixedList<scalar, 7> values;
+    List<values> all(sums.size());
     forAll(all, i)
     {
         for (direction c = 0; c < 3; ++c)
@@ -35,7 +34,6 @@ void Foam::contactInterface::account::total(List<account>& sums)
         }
         all[i][6] = sums[i].friction;
     }
-    typedef FixedList<scalar, 7> values;
     Pstream::listCombineGather(all, [](values& a, const values& b)
     {
         forAll(a, c) a[c] += b[c];
