@@ -244,6 +244,30 @@ def test_pairings_agree(tmp_path, figures):
 
 
 @pytest.mark.parametrize("ranks", (1, 2))
+def test_paired_again_by_what_slides(tmp_path, figures, ranks):
+    """What moves along its normal meets what it would have met: only what moves
+    along its surface is paired again. Each block moves by 0.35 widths of a
+    face, and they do not meet."""
+    def pairings(folder, direction):
+        width = 1/8
+        bodies = blocks((8, 8), (8, 8), shift=0, gap=0.9*width, speed=0)
+        for body, sign in zip(bodies, (1, -1)):
+            body.velocity = tuple(0.35*width*sign*np.array(direction))
+        case = SmallCase(folder, bodies, 1, functions=("contactForces",),
+                         interfaces=between(pairing="nearestFace"),
+                         control={"functions": {}, "writeInterval": 1},
+                         preset=DEFAULT)
+        code, log = case.attempt(ranks)
+        assert code == 0, log[-2000:]
+        line = next(x for x in log.splitlines() if x.startswith("Contact:"))
+        return int(line.split("steps in ")[1].split()[0])
+
+    with figures(f"paired again, {ranks} ranks") as f:
+        f.equal("while they approach", pairings(tmp_path/"a", (0, 1, 0)), 0)
+        f.equal("while they slide", pairings(tmp_path/"b", (1, 0, 0)), 3)
+
+
+@pytest.mark.parametrize("ranks", (1, 2))
 def test_nothing_happens_between_what_passes(tmp_path, figures, ranks):
     """All outer surfaces of three blocks in each other's sight: one passes the
     other at a hundredth of a cell, the third moves away. Nothing happens."""

@@ -6,9 +6,18 @@
 
 #include "bodySurface.H"
 #include "medianDual.H"
+#include "HashSet.H"
 #include "PstreamReduceOps.H"
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::bodySurface::findNodes(const dualPatch& patch)
+{
+    nodes = labelHashSet(patch.cornerNode).sortedToc();
+    place.setSize(patch.nCorners());
+    forAll(place, k) place[k] = findSortedIndex(nodes, patch.cornerNode[k]);
+}
+
 
 void Foam::bodySurface::findSizes
 (

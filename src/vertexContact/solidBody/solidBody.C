@@ -190,7 +190,11 @@ void Foam::solidBody::makeCorners()
             depth[k] =
                 2*dual_.nodeVolume()[a]/max(along, patch.cornerArea[k]);
         }
-        if (bc.contact()) its.findSizes(dual_, patch);
+        if (bc.contact())
+        {
+            its.findNodes(patch);
+            its.findSizes(dual_, patch);
+        }
     }
 
     if (hasContact) contact_.start();

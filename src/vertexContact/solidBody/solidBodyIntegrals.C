@@ -226,4 +226,42 @@ Foam::vector Foam::solidBody::angularMomentum() const
 }
 
 
+const Foam::boundBox& Foam::solidBody::surfaceVelocities
+(
+    const label patchi,
+    const scalar time
+)
+{
+    bodySurface& its = surfaces_[patchi];
+    if (its.velocityTime == time) return its.velocities;
+
+    scalar least[3] = {}, most[3] = {};
+    withDirections(dual_.nDim(), [&](auto D)
+    {
+        constexpr int d = D.value;
+        const scalar* lm = data_.state.lm.cdata();
+        if (its.nodes.empty()) return;
+        for (int i = 0; i < d; ++i)
+        {
+            least[i] = most[i] = lm[its.nodes[0]*d + i];
+        }
+        for (const label a : its.nodes)
+        {
+            for (int i = 0; i < d; ++i)
+            {
+                least[i] = min(least[i], lm[a*d + i]);
+                most[i] = max(most[i], lm[a*d + i]);
+            }
+        }
+    });
+    const boundBox now(expand(least)/data_.rho, expand(most)/data_.rho);
+    its.velocities = its.velocityTime > -GREAT ? its.lastVelocities : now;
+    its.velocities.min() = min(its.velocities.min(), now.min());
+    its.velocities.max() = max(its.velocities.max(), now.max());
+    its.lastVelocities = now;
+    its.velocityTime = time;
+    return its.velocities;
+}
+
+
 // ************************************************************************* //

@@ -97,7 +97,7 @@ void Foam::contactSystem::pairMoved(const scalar time)
         const stopwatch watch(pairingSeconds_);
         for (contactInterface& contact : interfaces_)
         {
-            if (most == 0 && contact.moves() && contact.outdated(time))
+            if (contact.moves() && contact.outdated(time))
             {
                 most = 1;
             }
@@ -138,9 +138,10 @@ Foam::contactSystem::findings Foam::contactSystem::look
     for (contactInterface& contact : interfaces_)
     {
         if (found.lost.empty()) found.lost = contact.lost();
-        found.outdated =
-            found.outdated
-         || (pairings && contact.moves() && contact.outdated(time));
+        if (pairings && contact.moves() && contact.outdated(time))
+        {
+            found.outdated = true;
+        }
     }
     return found;
 }

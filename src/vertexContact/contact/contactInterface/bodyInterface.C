@@ -639,7 +639,7 @@ void Foam::bodyInterface::update(const scalar time, const bool)
 {
     const PtrList<contactSurface::snapshot> now
     (
-        contactSurface::snapshots(sides(), false)
+        contactSurface::snapshots(sides())
     );
     pairing_->update(time, now[0], now[1]);
     resize();

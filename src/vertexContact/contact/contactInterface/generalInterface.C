@@ -45,7 +45,7 @@ Foam::generalInterface::candidates(const scalar time)
     const scalar grown = 2*reach_;
     List<boundBox> boxes(surfaces_.size());
     List<vector> momentum(surfaces_.size());
-    List<scalar> mass(surfaces_.size()), speed(surfaces_.size());
+    List<scalar> mass(surfaces_.size());
     forAll(surfaces_, i)
     {
         boxes[i] = motions_[i].box();
@@ -60,8 +60,6 @@ Foam::generalInterface::candidates(const scalar time)
     everywhere(mass, plusEqOp<scalar>());
     vector frame(Zero);
     forAll(surfaces_, i) frame += momentum[i]/mass[i]/surfaces_.size();
-    forAll(surfaces_, i) speed[i] = motions_[i].speed(frame);
-    everywhere(speed, maxEqOp<scalar>());
 
     pointField centres(boxes.size());
     scalarField radius(boxes.size());
@@ -71,7 +69,7 @@ Foam::generalInterface::candidates(const scalar time)
         boxes[i].max() += grown*vector::one;
         centres[i] = boxes[i].midpoint();
         radius[i] = 0.5*boxes[i].mag();
-        motions_[i].start(time, reach_, speed[i], frame);
+        motions_[i].start(time, reach_, reach_, frame);
     }
     const autoPtr<pointTree> tree(newPointTree(centres, max(radius)));
 
@@ -250,17 +248,31 @@ Foam::generalInterface::pairStates() const
 
 bool Foam::generalInterface::outdated(const scalar time)
 {
-    for (const surfaceMotion& motion : motions_)
+    bool is = false;
+    for (surfaceMotion& motion : motions_) is = motion.exceeded(time) || is;
+
+    List<boundBox> velocities(surfaces_.size());
+    forAll(surfaces_, i)
     {
-        if (motion.exceeded(time)) return true;
+        const contactSide& side = surfaces_[i];
+        velocities[i] = side.body->surfaceVelocities(side.patchi, time);
     }
-    forAll(due_, i)
+    forAll(watched_, i)
     {
-        if (time < due_[i]) continue;
-        if (parts_[i].outdated(time, 1)) return true;
-        due_[i] = parts_[i].pairing().due();
+        watch& w = watched_[i];
+        w.left -=
+            (time - lastWatch_)
+           *max
+            (
+                surfaceMotion::fastest(velocities[w.sides.first()], w.frame),
+                surfaceMotion::fastest(velocities[w.sides.second()], w.frame)
+            );
+        if (w.left >= 0) continue;
+        w.left = parts_[i].left(time);
+        is = is || w.left < 0;
     }
-    return false;
+    lastWatch_ = time;
+    return is;
 }
 
 
@@ -271,12 +283,13 @@ void Foam::generalInterface::update(const scalar time, const bool all)
     bool search = all;
     if (!all)
     {
-        for (const surfaceMotion& motion : motions_)
+        for (surfaceMotion& motion : motions_)
         {
-            search = search || motion.exceeded(time, 0.5);
+            motion.look(time);
+            search = search || motion.left(0.5) < 0;
         }
         reduce(search, orOp<bool>());
-        forAll(parts_, i) moved[i] = parts_[i].outdated(time, 0.5);
+        forAll(parts_, i) moved[i] = parts_[i].left(time, 0.5) < 0;
         everywhere(moved, orEqOp<bool>());
     }
 
@@ -288,14 +301,20 @@ void Foam::generalInterface::update(const scalar time, const bool all)
     wasSummed.setSize(keys_.size(), false);
     for (const label i : summed_) wasSummed[i] = true;
     DynamicList<label> active, summed;
-    due_.setSize(keys.size());
+    watched_.setSize(keys.size());
+    lastWatch_ = time;
 
     PtrList<bodyInterface> parts(keys.size());
     label old = 0;
     const auto take = [&](const label i, const bool kept)
     {
         bodyInterface& part = parts[i];
-        due_[i] = part.pairing().due();
+        watched_[i] =
+        {
+            part.pairing().left(),
+            part.pairing().frame(),
+            rule_.pairOf(keys[i])
+        };
         const bool is = part.pairing().active();
         if (is)
         {
@@ -334,10 +353,15 @@ void Foam::generalInterface::update(const scalar time, const bool all)
         place[i] = sides.size();
         sides.append(surfaces_[i]);
     }
-    const PtrList<contactSurface::snapshot> now
-    (
-        contactSurface::snapshots(sides, true)
-    );
+    PtrList<contactSurface::snapshot> now(contactSurface::snapshots(sides));
+    DynamicList<labelPair> meet;
+    forAll(keys, i)
+    {
+        if (!again[i]) continue;
+        const labelPair pair(rule_.pairOf(keys[i]));
+        meet.append(labelPair(place[pair.first()], place[pair.second()]));
+    }
+    contactSurface::findFaces(now, meet, 2*reach_);
     const auto minus = [&](const pairKey key)
         -> const contactSurface::snapshot&
     {

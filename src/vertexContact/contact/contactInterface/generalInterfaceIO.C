@@ -442,7 +442,8 @@ Foam::keywordList Foam::generalInterface::keywords()
         {
             "updateDistance", "-",
             Foam::name(surfaceMotion::usualDistance),
-            "face widths a node may move until they are paired again"
+            "face widths a node may move along its surface until they "
+            "are paired again"
         },
         {"law", "", "frictionless", "dictionary of the contact law, not tied"}
     };

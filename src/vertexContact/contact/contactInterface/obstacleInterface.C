@@ -446,9 +446,7 @@ void Foam::obstacleInterface::update(const scalar time, const bool)
         box.max() += allowed_*vector::one;
         reach_ = box.points();
     }
-    scalar speed = sideMotion_.speed(vector::zero);
-    if (cut_) reduce(speed, maxOp<scalar>());
-    sideMotion_.start(time, allowed_, speed, vector::zero);
+    sideMotion_.start(time, allowed_, allowed_, vector::zero);
 }
 
 

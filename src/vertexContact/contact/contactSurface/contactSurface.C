@@ -6,7 +6,7 @@
 
 #include "contactSurface.H"
 #include "solidBody.H"
-#include "DynamicList.H"
+#include "vectorField.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -181,12 +181,15 @@ struct positions
     }
 };
 
-//- Call a function for the outlines of those faces of a side that are wanted
+//- Call a function for the outlines of those faces of a side, from start to
+//  end, that are wanted
 template<class Wanted, class Function>
 void outlines
 (
     const contactSide& side,
     const bool current,
+    const label start,
+    const label end,
     const Wanted& wanted,
     const Function& f
 )
@@ -196,12 +199,12 @@ void outlines
     const positions at(side, current);
     const vector out(contactSurface::outOfPlane(side));
 
-    for (label facei = 0; facei < patch.nFaces(); ++facei)
+    for (label facei = start; facei < end; ++facei)
     {
         if (!wanted(facei)) continue;
 
         const dualPatch::face its(patch.faceOf(facei));
-        const label start = its.start, size = its.size;
+        const label first = its.start, size = its.size;
         FixedList<point, 4> x(point::zero), X(point::zero);
         vector N(Zero);
         contactSurface::outline o;
@@ -210,10 +213,10 @@ void outlines
         o.centre = point::zero;
         for (label j = 0; j < size; ++j)
         {
-            const label a = patch.cornerNode[start + j];
+            const label a = patch.cornerNode[first + j];
             X[j] = at.reference(a);
             x[j] = at(a);
-            N += body.expand(patch.cornerNormal.cdata() + (start + j)*at.d);
+            N += body.expand(patch.cornerNormal.cdata() + (first + j)*at.d);
             o.box.add(x[j]);
             o.centre += x[j];
         }
@@ -225,12 +228,18 @@ void outlines
         }
         o.radius = std::sqrt(radiusSqr);
         o.n = currentNormal(x, X, size, at.d, N, out);
-        o.width =
-            size > 1
-          ? bodySurface::meanEdge(X, size)
-          : body.surface(side.patchi).depth[start];
+        o.depth = body.surface(side.patchi).depth[first];
+        o.width = size > 1 ? bodySurface::meanEdge(X, size) : o.depth;
         f(o);
     }
+}
+
+//- A box that is larger by a distance in all directions
+boundBox grown(boundBox b, const scalar by)
+{
+    b.min() -= by*vector::one;
+    b.max() += by*vector::one;
+    return b;
 }
 
 //- Values of each, combined over all processors
@@ -355,7 +364,8 @@ Foam::contactSurface::outline::outline
     centre(f.centre()),
     radius(f.radius()),
     n(f.n),
-    width(f.width)
+    width(f.width),
+    depth(f.depth[0])
 {
     for (label i = 0; i < f.size; ++i) box.add(f.x[i]);
 }
@@ -365,50 +375,79 @@ Foam::contactSurface::snapshot::snapshot
 (
     const contactSide& side,
     const bool current,
-    const bool whole,
     const vector& velocity
 )
 :
     side(side),
     current(current),
     box(boundBox::invertedBox),
-    velocity(velocity),
-    speed(0),
-    whole(whole)
+    velocity(velocity)
 {
-    const solidBody& body = *side.body;
-    const labelList& cornerNode = body.dual().patches()[side.patchi].cornerNode;
     const positions x(side, current);
-    for (const label a : cornerNode) box.add(x(a));
-
-    const scalar* lm = body.state().lm.cdata();
-    const scalar perRho = 1/body.material().rho();
-    scalar speedSqr = 0;
-    for (const label a : cornerNode)
+    for (const label a : side.body->dual().patches()[side.patchi].cornerNode)
     {
-        speedSqr = max
-        (
-            speedSqr, magSqr(perRho*body.expand(lm + a*x.d) - velocity)
-        );
+        box.add(x(a));
     }
-    speed = std::sqrt(speedSqr);
-    if (!whole) return;
+}
 
-    faces.reserve(body.dual().patches()[side.patchi].nFaces());
-    outlines
-    (
-        side, current, [](const label) { return true; },
-        [&](const outline& o)
+
+void Foam::contactSurface::snapshot::findFaces(const UList<boundBox>& boxes)
+{
+    found = true;
+    const dualPatch& patch = side.body->dual().patches()[side.patchi];
+    const FixedList<label, 3>& directions = side.body->dual().directions();
+    const positions x(side, current);
+    for (label start = 0; start < patch.nFaces(); start += runLength)
+    {
+        const label end = min(start + runLength, patch.nFaces());
+        run its{boundBox(point::zero, point::zero), faces.size(), end - start};
+        for (label i = 0; i < x.d; ++i)
         {
-            if (!(faces.size() % runLength))
+            scalar& least = its.box.min()[directions[i]] = GREAT;
+            scalar& most = its.box.max()[directions[i]] = -GREAT;
+            for
+            (
+                label k = patch.faceStart[start]; k < patch.faceStart[end]; ++k
+            )
             {
-                runs.append(boundBox(boundBox::invertedBox));
+                const scalar at = x.component(patch.cornerNode[k], i);
+                least = min(least, at);
+                most = max(most, at);
             }
-            faces.append(o);
-            runs.last().add(o.box);
-            axis += o.n;
         }
-    );
+        for (const boundBox& other : boxes)
+        {
+            if (!meet(its.box, other)) continue;
+            runs.append(its);
+            outlines
+            (
+                side, current, start, end, [](const label) { return true; },
+                [&](const outline& o)
+                {
+                    faces.append(o);
+                    axis += o.n;
+                }
+            );
+            break;
+        }
+    }
+}
+
+
+bool Foam::contactSurface::snapshot::meet
+(
+    const boundBox& a,
+    const boundBox& b
+) const
+{
+    const FixedList<label, 3>& directions = side.body->dual().directions();
+    bool all = true;
+    for (label i = 0; i < side.body->dual().nDim(); ++i)
+    {
+        const direction e = directions[i];
+        all = all && a.min()[e] <= b.max()[e] && a.max()[e] >= b.min()[e];
+    }
+    return all;
 }
 
 
@@ -416,7 +455,6 @@ Foam::PtrList<Foam::contactSurface::snapshot>
 Foam::contactSurface::snapshots
 (
     const UList<contactSide>& sides,
-    const bool whole,
     const bool current
 )
 {
@@ -447,70 +485,71 @@ Foam::contactSurface::snapshots
         }
     );
 
-    // Box, sum of the normals, speed
-    typedef FixedList<scalar, 10> message;
-    List<message> messages(n);
-    forAll(messages, i)
+    List<boundBox> boxes(n);
+    forAll(boxes, i)
     {
         const FixedList<scalar, 4>& m = motion[i];
         all.set
         (
-            i,
-            new snapshot
-            (
-                sides[i], current, whole, vector(m[0], m[1], m[2])/m[3]
-            )
+            i, new snapshot(sides[i], current, vector(m[0], m[1], m[2])/m[3])
         );
-        for (direction c = 0; c < 3; ++c)
-        {
-            messages[i][c] = all[i].box.min()[c];
-            messages[i][3 + c] = all[i].box.max()[c];
-            messages[i][6 + c] = all[i].axis[c];
-        }
-        messages[i][9] = all[i].speed;
+        boxes[i] = all[i].box;
     }
-    overRanks(messages, [](message& a, const message& b)
+    overRanks(boxes, [](boundBox& a, const boundBox& b)
     {
-        for (direction c = 0; c < 3; ++c)
-        {
-            a[c] = min(a[c], b[c]);
-            a[3 + c] = max(a[3 + c], b[3 + c]);
-            a[6 + c] += b[6 + c];
-        }
-        a[9] = max(a[9], b[9]);
+        a.min() = min(a.min(), b.min());
+        a.max() = max(a.max(), b.max());
     });
-    forAll(messages, i)
+    forAll(boxes, i) all[i].box = boxes[i];
+    return all;
+}
+
+
+void Foam::contactSurface::findFaces
+(
+    PtrList<snapshot>& sides,
+    const UList<labelPair>& pairs,
+    const scalar search
+)
+{
+    const label n = sides.size();
+    if (!n) return;
+
+    List<DynamicList<boundBox>> boxes(n);
+    for (const labelPair& pair : pairs)
     {
-        for (direction c = 0; c < 3; ++c)
-        {
-            all[i].box.min()[c] = messages[i][c];
-            all[i].box.max()[c] = messages[i][3 + c];
-            all[i].axis[c] = messages[i][6 + c];
-        }
-        all[i].speed = messages[i][9];
+        const label a = pair.first(), b = pair.second();
+        boxes[a].append(grown(sides[b].box, search));
+        if (b != a) boxes[b].append(grown(sides[a].box, search));
     }
-    if (!whole) return all;
+    vectorField axes(n);
+    forAll(axes, i)
+    {
+        sides[i].findFaces(boxes[i]);
+        axes[i] = sides[i].axis;
+    }
+    overRanks(axes, plusEqOp<vector>());
 
     // The cone around the mean normal; without one, of all directions
-    scalarList least(n, scalar(1));
+    scalarField least(n, scalar(1));
     forAll(least, i)
     {
-        if (mag(all[i].axis) < SMALL) continue;
-        all[i].axis /= mag(all[i].axis);
-        for (const outline& o : all[i].faces)
+        sides[i].axis = axes[i];
+        if (mag(axes[i]) < SMALL) continue;
+        sides[i].axis /= mag(axes[i]);
+        for (const outline& o : sides[i].faces)
         {
-            least[i] = min(least[i], o.n & all[i].axis);
+            least[i] = min(least[i], o.n & sides[i].axis);
         }
     }
     overRanks(least, minEqOp<scalar>());
     forAll(least, i)
     {
-        if (mag(all[i].axis) >= SMALL)
+        if (mag(axes[i]) >= SMALL)
         {
-            all[i].angle = std::acos(max(least[i], scalar(-1)));
+            sides[i].angle = std::acos(max(least[i], scalar(-1)));
         }
     }
-    return all;
 }
 
 
@@ -529,44 +568,32 @@ bool Foam::contactSurface::snapshot::mayOppose
 Foam::DynamicList<Foam::contactSurface::outline>
 Foam::contactSurface::snapshot::in(const boundBox& box) const
 {
-    const FixedList<label, 3>& directions = side.body->dual().directions();
-    const label d = side.body->dual().nDim();
-    DynamicList<outline> found;
-    if (whole)
+    DynamicList<outline> some;
+    if (found)
     {
-        const auto meets = [&](const boundBox& b)
+        for (const run& its : runs)
         {
-            bool all = true;
-            for (label i = 0; i < d; ++i)
+            if (!meet(its.box, box)) continue;
+            for (label i = its.start; i < its.start + its.size; ++i)
             {
-                const direction e = directions[i];
-                all =
-                    all
-                 && b.min()[e] <= box.max()[e] && b.max()[e] >= box.min()[e];
-            }
-            return all;
-        };
-        forAll(runs, run)
-        {
-            if (!meets(runs[run])) continue;
-            const label end = min((run + 1)*runLength, faces.size());
-            for (label i = run*runLength; i < end; ++i)
-            {
-                if (meets(faces[i].box)) found.append(faces[i]);
+                if (meet(faces[i].box, box)) some.append(faces[i]);
             }
         }
-        return found;
+        return some;
     }
 
+    const FixedList<label, 3>& directions = side.body->dual().directions();
     const dualPatch& patch = side.body->dual().patches()[side.patchi];
     const positions x(side, current);
     outlines
     (
         side,
         current,
+        0,
+        patch.nFaces(),
         [&](const label facei)
         {
-            for (label i = 0; i < d; ++i)
+            for (label i = 0; i < x.d; ++i)
             {
                 const direction e = directions[i];
                 scalar least = GREAT, most = -GREAT;
@@ -585,9 +612,9 @@ Foam::contactSurface::snapshot::in(const boundBox& box) const
             }
             return true;
         },
-        [&](const outline& o) { found.append(o); }
+        [&](const outline& o) { some.append(o); }
     );
-    return found;
+    return some;
 }
 
 

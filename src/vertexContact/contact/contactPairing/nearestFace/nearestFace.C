@@ -34,6 +34,20 @@ constexpr scalar leastOpposed = -0.5;
 constexpr scalar sameNode = 1e-6;
 constexpr scalar neighbours = 2;
 
+//- A face is so far behind another one that they cannot meet: as the sides of a
+//  plate of two cells. Told from round-off, for which opposed() is asked
+bool behind
+(
+    const contactSurface::outline& a,
+    const contactSurface::outline& b
+)
+{
+    vector n;
+    contactOverlaps::commonNormal(a.n, b.n, n);
+    const scalar depth = 0.5*(a.depth + b.depth);
+    return ((b.centre - a.centre) & n) < -(1 + sameNode)*depth;
+}
+
 boundBox grown(boundBox b, const scalar by)
 {
     b.min() -= by*vector::one;
@@ -219,6 +233,7 @@ void Foam::contactPairings::nearestFace::pairFaces
             (
                 (a.n & others[i].n) <= leastOpposed
              && near.contains(others[i].centre)
+             && !behind(a, others[i])
             )
             {
                 found.append(i);
@@ -297,7 +312,7 @@ Foam::contactPairings::nearestFace::nearestFace
     (
         contactSurface::snapshots
         (
-            List<contactSide>({minus, plus}), false, !bonded_
+            List<contactSide>({minus, plus}), !bonded_
         )
     );
     update(minus.body->mesh().time().value(), now[0], now[1]);
@@ -313,21 +328,32 @@ Foam::keywordList Foam::contactPairings::nearestFace::keywords()
         {
             "updateDistance", "-",
             Foam::name(surfaceMotion::usualDistance),
-            "face widths a node may move until they are paired again, at most "
+            "face widths a node may move along its surface until they are "
+            "paired again, at most "
           + Foam::name(surfaceMotion::largestDistance)
         }
     };
 }
 
 
-bool Foam::contactPairings::nearestFace::outdated
-(
-    const scalar time,
-    const scalar share
-)
+bool Foam::contactPairings::nearestFace::outdated(const scalar time)
 {
-    return
-        minusMotion_.exceeded(time, share) || plusMotion_.exceeded(time, share);
+    // Both are asked in each step
+    const bool minus = minusMotion_.exceeded(time);
+    return plusMotion_.exceeded(time) || minus;
+}
+
+
+void Foam::contactPairings::nearestFace::look(const scalar time)
+{
+    minusMotion_.look(time);
+    plusMotion_.look(time);
+}
+
+
+Foam::scalar Foam::contactPairings::nearestFace::left(const scalar share) const
+{
+    return min(minusMotion_.left(share), plusMotion_.left(share));
 }
 
 
@@ -401,29 +427,19 @@ void Foam::contactPairings::nearestFace::follow
 
     // Pairs at up to the least width are there; others are further away
     const scalar most = surfaceMotion::largestDistance*leastWidth_;
-    const scalar allowed =
+    // With the paper's scheme a couple of the gap comes of all motion
+    const bool near = active() && apart <= search;
+    const scalar close = updateDistance_*leastWidth_;
+    const scalar any =
         apart > search ? 0.5*(apart - search) + most
-      : active() ? updateDistance_*leastWidth_
+      : near && !minus_.body->variational() ? close
       : most;
+    const scalar along = near ? close : any;
 
     // What both sides have in common changes nothing between them
     const vector frame(0.5*(minus.velocity + plus.velocity));
-    const auto start = [&]
-    (
-        surfaceMotion& motion,
-        const contactSurface::snapshot& side
-    )
-    {
-        motion.start
-        (
-            time,
-            allowed,
-            side.speed + mag(side.velocity - frame),
-            frame
-        );
-    };
-    start(minusMotion_, minus);
-    start(plusMotion_, plus);
+    minusMotion_.start(time, along, any, frame);
+    plusMotion_.start(time, along, any, frame);
 }
 
 

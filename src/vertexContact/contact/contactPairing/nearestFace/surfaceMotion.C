@@ -7,15 +7,60 @@
 #include "surfaceMotion.H"
 #include "solidBody.H"
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+const Foam::labelList& Foam::surfaceMotion::nodes() const
+{
+    return side_.body->surface(side_.patchi).nodes;
+}
+
+
+void Foam::surfaceMotion::keepNormals()
+{
+    const solidBody& body = *side_.body;
+    const dualPatch& patch = body.dual().patches()[side_.patchi];
+    const label d = body.dual().nDim();
+    normal_.setSize(patch.nCorners()*d);
+    forAll(patch.cornerNode, k)
+    {
+        const vector area
+        (
+            body.currentArea
+            (
+                patch.cornerNode[k], patch.cornerNormal.cdata() + k*d
+            )
+        );
+        const scalar perArea = 1/max(mag(area), VSMALL);
+        for (label i = 0; i < d; ++i)
+        {
+            normal_[k*d + i] = perArea*area[body.dual().directions()[i]];
+        }
+    }
+}
+
+
+void Foam::surfaceMotion::wayOf
+(
+    const label place,
+    const scalar* carried,
+    scalar* way
+) const
+{
+    const label d = side_.body->dual().nDim();
+    const scalar* disp = side_.body->state().disp.cdata() + nodes()[place]*d;
+    for (label i = 0; i < d; ++i)
+    {
+        way[i] = disp[i] - from_[place*d + i] - carried[i];
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::surfaceMotion::surfaceMotion(const contactSide& side)
 :
     side_(side)
-{
-    labelHashSet nodes(side.body->dual().patches()[side.patchi].cornerNode);
-    nodes_ = nodes.sortedToc();
-}
+{}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -23,89 +68,90 @@ Foam::surfaceMotion::surfaceMotion(const contactSide& side)
 Foam::boundBox Foam::surfaceMotion::box() const
 {
     boundBox bb(boundBox::invertedBox);
-    for (const label a : nodes_) bb.add(side_.body->position(a));
+    for (const label a : nodes()) bb.add(side_.body->position(a));
     return bb;
-}
-
-
-Foam::scalar Foam::surfaceMotion::speed(const vector& frame) const
-{
-    const label d = side_.body->dual().nDim();
-    const scalar* lm = side_.body->state().lm.cdata();
-    const scalar perRho = 1/side_.body->material().rho();
-    scalar largest = 0;
-    for (const label a : nodes_)
-    {
-        largest = max
-        (
-            largest, mag(perRho*side_.body->expand(lm + a*d) - frame)
-        );
-    }
-    return largest;
 }
 
 
 void Foam::surfaceMotion::start
 (
     const scalar time,
-    const scalar allowed,
-    const scalar speed,
+    const scalar along,
+    const scalar any,
     const vector& frame
 )
 {
     const label d = side_.body->dual().nDim();
     const scalar* disp = side_.body->state().disp.cdata();
-    from_.setSize(nodes_.size()*d);
+    from_.setSize(nodes().size()*d);
     label k = 0;
-    for (const label a : nodes_)
+    for (const label a : nodes())
     {
         for (label i = 0; i < d; ++i) from_[k++] = disp[a*d + i];
     }
-    allowed_ = allowed;
+    if (along < any) keepNormals();
+    along_ = along;
+    any_ = any;
+    mostAlong_ = most_ = 0;
     frame_ = frame;
-    since_ = time;
-    const scalar fastest = speed + reserve*side_.body->material().cp();
-    nextTime_ =
-        nodes_.size() ? time + allowed/max(fastest, VSMALL) : scalar(GREAT);
+    since_ = last_ = time;
 }
 
 
-bool Foam::surfaceMotion::exceeded
-(
-    const scalar time,
-    const scalar share
-) const
+void Foam::surfaceMotion::look(const scalar time)
 {
-    if (time - since_ < share*(nextTime_ - since_))
-    {
-        return false;
-    }
+    if (from_.empty()) return;
+
     const label d = side_.body->dual().nDim();
-    const scalar* disp = side_.body->state().disp.cdata();
-    scalar carried[3];
+    scalar carried[3], way[3];
     for (label i = 0; i < d; ++i)
     {
         carried[i] =
             (time - since_)*frame_[side_.body->dual().directions()[i]];
     }
-    label k = 0;
     scalar most = 0;
-    const scalar limit = sqr(share*allowed_);
-    for (const label a : nodes_)
+    forAll(nodes(), place)
     {
+        wayOf(place, carried, way);
         scalar moved = 0;
-        for (label i = 0; i < d; ++i)
-        {
-            moved += sqr(disp[a*d + i] - from_[k++] - carried[i]);
-        }
-        if (moved > limit) return true;
+        for (label i = 0; i < d; ++i) moved += sqr(way[i]);
         most = max(most, moved);
     }
-    if (share < 1) return false;
+    scalar along = most;
+    if (along_ < any_)
+    {
+        along = 0;
+        const labelList& place = side_.body->surface(side_.patchi).place;
+        forAll(place, k)
+        {
+            wayOf(place[k], carried, way);
+            scalar moved = 0, off = 0;
+            for (label i = 0; i < d; ++i)
+            {
+                moved += sqr(way[i]);
+                off += way[i]*normal_[k*d + i];
+            }
+            along = max(along, moved - sqr(off));
+        }
+    }
+    most_ = std::sqrt(most);
+    mostAlong_ = std::sqrt(along);
+}
 
-    const scalar soon = speed(frame_) + reserve*side_.body->material().cp();
-    nextTime_ = max(nextTime_, time + (allowed_ - std::sqrt(most))/soon);
-    return false;
+
+bool Foam::surfaceMotion::exceeded(const scalar time)
+{
+    if (from_.size())
+    {
+        const scalar way =
+            (time - last_)
+           *fastest(side_.body->surfaceVelocities(side_.patchi, time), frame_);
+        mostAlong_ += way;
+        most_ += way;
+    }
+    last_ = time;
+    if (left() < 0) look(time);
+    return left() < 0;
 }
 
 
