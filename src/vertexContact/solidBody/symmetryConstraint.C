@@ -179,39 +179,6 @@ Foam::symmetryConstraint::symmetryConstraint
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-bool Foam::symmetryConstraint::commonNormal(vector& normal) const
-{
-    // The first of any processor, and the largest deviation from it
-    normal = vector(Zero);
-    if (active())
-    {
-        for (label i = 0; i < nDim_; ++i) normal[i] = normals_[i];
-    }
-    List<vector> all(Pstream::nProcs());
-    all[Pstream::myProcNo()] = normal;
-    Pstream::gatherList(all);
-    Pstream::scatterList(all);
-    for (const vector& n : all)
-    {
-        if (magSqr(n) > 0)
-        {
-            normal = n;
-            break;
-        }
-    }
-
-    bool common = magSqr(normal) > 0;
-    for (label k = 0; k < normals_.size(); k += nDim_)
-    {
-        scalar along = 0;
-        for (label i = 0; i < nDim_; ++i) along += normal[i]*normals_[k + i];
-        common = common && mag(mag(along) - 1) < onePlane;
-    }
-    reduce(common, andOp<bool>());
-    return common;
-}
-
-
 void Foam::symmetryConstraint::projectEdges
 (
     const medianDual& dual,
