@@ -172,40 +172,22 @@ Foam::functionObjects::reactionForces::reactionForces
             for (const label patchi : patches_[i])
             {
                 const word patch(nameOf(i, patchi));
-                for
+                writeHeads
                 (
-                    const char* c :
+                    os, patch,
                     {
                         "Fx[N]", "Fy[N]", "Fz[N]",
                         "Ix[N.s]", "Iy[N.s]", "Iz[N.s]", "work[J]"
                     }
-                )
-                {
-                    os  << ' ' << patch.c_str() << ':' << c;
-                }
+                );
                 if (!solids_.bodies()[i].rigid()) continue;
-                for (const char* c : {"Mx[N.m]", "My[N.m]", "Mz[N.m]"})
-                {
-                    os  << ' ' << patch.c_str() << ':' << c;
-                }
+                writeHeads(os, patch, {"Mx[N.m]", "My[N.m]", "Mz[N.m]"});
             }
         }
         os  << endl;
     }
 
     writeFirstRow();
-}
-
-
-// * * * * * * * * * * * * * * * * Destructor  * * * * * * * * * * * * * * * //
-
-Foam::functionObjects::reactionForces::~reactionForces()
-{
-    // The bodies may be gone first
-    if (runTime_.foundObject<solidSystem>("solidSystem"))
-    {
-        solids_.dropRecord(name());
-    }
 }
 
 
