@@ -576,13 +576,6 @@ void Foam::solidBody::setGravity(const vector& g)
 }
 
 
-void Foam::solidBody::releaseMeshTables()
-{
-    // Not those of polyMesh: point fields refer to its mesh objects
-    mesh_.primitiveMesh::clearOut();
-}
-
-
 void Foam::solidBody::findCorners(const label patchi)
 {
     cornerStates& c = corners_[patchi];
@@ -828,18 +821,6 @@ Foam::scalar Foam::solidBody::commitPlasticity()
         material_->plastic()
       ? material_->commit(data_.state, ownedVolume_)
       : 0;
-}
-
-
-void Foam::solidBody::keepPlasticity()
-{
-    keptPlasticity_.keep(data_.state);
-}
-
-
-void Foam::solidBody::restoreMomentum()
-{
-    data_.state.lm = data_.old.lm;
 }
 
 
