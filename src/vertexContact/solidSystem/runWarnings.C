@@ -48,8 +48,8 @@ void Foam::runWarnings::checkDeformations
                 << largest << ", but " << bodies[i].material().type()
                 << " is a law of small strains and rotations, whose stress is "
                 << "then wrong by about as much." << nl
-                << "    A step with neoHookean takes about 1.25 times as long "
-                << "(tests/benchmark/features.md)." << endl;
+                << "    neoHookean is one of large strains; what a step costs "
+                << "more: tests/benchmark/features.md." << endl;
         }
     }
 }
@@ -135,8 +135,8 @@ void Foam::runWarnings::reportLaws
             if (flow == 0)
             {
                 os  << "Region " << body.name() << " has not yielded: a step "
-                    << "with neoHookean takes about 0.85 of the time of one "
-                    << "with " << body.material().type() << nl << nl;
+                    << "with neoHookean takes less time than one with "
+                    << body.material().type() << nl << nl;
             }
             continue;
         }
@@ -146,8 +146,8 @@ void Foam::runWarnings::reportLaws
         {
             os  << "Region " << body.name() << ": |F - I| stayed below "
                 << largest << " where it was logged. linearElastic, whose "
-                << "stress differs by about as much, takes about 0.8 of the "
-                << "time of " << body.material().type() << nl << nl;
+                << "stress differs by about as much, takes less time than "
+                << body.material().type() << nl << nl;
         }
     }
 }

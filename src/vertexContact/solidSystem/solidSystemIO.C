@@ -6,7 +6,6 @@
 
 #include "solidSystem.H"
 #include "passTimes.H"
-#include "dictionaryCheck.H"
 #include "writtenTimes.H"
 #include "IOdictionary.H"
 #include "IStringStream.H"
