@@ -140,10 +140,7 @@ void Foam::solidBody::makeCorners()
         hasContact = hasContact || bc.contact();
 
         // The variational scheme needs no states of a free surface
-        if (bc.tractionFree() && data_.variational)
-        {
-            continue;
-        }
+        if (bc.tractionFree() && data_.variational) continue;
 
         const dualPatch& patch = dual_.patches()[patchi];
         corners_.set
@@ -527,10 +524,7 @@ Foam::FixedList<Foam::label, 3> Foam::solidBody::allDirections() const
     for (label c = 0; c < 3; ++c)
     {
         bool used = false;
-        for (label i = 0; i < dual_.nDim(); ++i)
-        {
-            used = used || dir[i] == c;
-        }
+        for (label i = 0; i < dual_.nDim(); ++i) used = used || dir[i] == c;
         if (!used) dir[next++] = c;
     }
     return dir;
@@ -766,10 +760,7 @@ Foam::scalar Foam::solidBody::timeScale(const bool anew)
     {
         return 1/(stepsPerTurn*mag(rigid_->presentSpin()) + 1/GREAT);
     }
-    if (waveSumIsConstant_)
-    {
-        return constantTimeScale_;
-    }
+    if (waveSumIsConstant_) return constantTimeScale_;
 
     scalar shortest = GREAT;
     if (data_.variational)

@@ -93,10 +93,7 @@ void Foam::solidBody::visitFields(const Use& use) const
                 tensor H(Zero);
                 if (d == 3)
                 {
-                    for (label k = 0; k < 9; ++k)
-                    {
-                        H[k] = s.H[9*a + placeH(k)];
-                    }
+                    for (label k = 0; k < 9; ++k) H[k] = s.H[9*a + placeH(k)];
                 }
                 else
                 {

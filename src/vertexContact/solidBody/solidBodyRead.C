@@ -388,10 +388,7 @@ void Foam::solidBody::readPlasticState(const bool undeformed)
             scalar* p = s.Cpi.data() + a*s.strideCpi;
             for (label i = 0; i < d; ++i)
             {
-                for (label j = i; j < d; ++j)
-                {
-                    *p++ = full[3*dir[i] + dir[j]];
-                }
+                for (label j = i; j < d; ++j) *p++ = full[3*dir[i] + dir[j]];
             }
             if (d < 3) *p = full[4*out];
         }

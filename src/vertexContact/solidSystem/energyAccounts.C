@@ -67,10 +67,7 @@ Foam::scalarList Foam::energyAccounts::sums() const
         *sum++ = body.kineticEnergy();
         *sum++ = leapfrog_ ? body.swing() : 0;
         *sum++ = body.strainEnergy();
-        for (const accountEntry& a : accountEntries)
-        {
-            *sum++ = account.*a.value;
-        }
+        for (const accountEntry& a : accountEntries) *sum++ = account.*a.value;
     }
     Pstream::listCombineGather(all, plusEqOp<scalar>());
     Pstream::listCombineScatter(all);

@@ -36,10 +36,7 @@ void Foam::runWarnings::checkDeformations
         scalar& largest = largestGradient_[i];
         const bool warned = largest > leavesSmall;
         largest = max(largest, bodies[i].largestGradient());
-        if (bodies[i].data().finiteStrain || warned)
-        {
-            continue;
-        }
+        if (bodies[i].data().finiteStrain || warned) continue;
         reduce(largest, maxOp<scalar>());
         if (largest > leavesSmall)
         {
@@ -122,10 +119,7 @@ void Foam::runWarnings::reportLaws
     forAll(bodies, i)
     {
         const solidBody& body = bodies[i];
-        if (!body.data().finiteStrain || body.rigid())
-        {
-            continue;
-        }
+        if (!body.data().finiteStrain || body.rigid()) continue;
         if (body.material().plastic())
         {
             const scalar flow = returnReduce

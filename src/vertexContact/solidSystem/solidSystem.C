@@ -116,10 +116,7 @@ void Foam::solidSystem::leap(const scalar time)
     evaluateForces(time, true);
 
     label nBad = 0;
-    for (const solidBody& body : bodies_)
-    {
-        nBad += body.nBad();
-    }
+    for (const solidBody& body : bodies_) nBad += body.nBad();
     settle(nBad);
 }
 

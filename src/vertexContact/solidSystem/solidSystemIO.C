@@ -17,10 +17,7 @@
 
 void Foam::solidSystem::log()
 {
-    if (!control_.logs(done_.steps, runTime_.value()))
-    {
-        return;
-    }
+    if (!control_.logs(done_.steps, runTime_.value())) return;
 
     warnings_.checkDeformations(bodies_);
 

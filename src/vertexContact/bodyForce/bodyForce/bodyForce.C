@@ -52,10 +52,7 @@ Foam::PtrList<Foam::bodyForce> Foam::bodyForce::readAll
     PtrList<bodyForce> all;
     for (const entry& e : forces)
     {
-        if (e.keyword() == "FoamFile")
-        {
-            continue;
-        }
+        if (e.keyword() == "FoamFile") continue;
         if (!e.isDict())
         {
             FatalIOErrorInFunction(forces)

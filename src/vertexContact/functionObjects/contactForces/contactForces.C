@@ -61,10 +61,7 @@ Foam::word Foam::functionObjects::contactForces::keyOf
 
 void Foam::functionObjects::contactForces::filter()
 {
-    if (!filter_.valid() || filteredStep_ == runTime_.timeIndex())
-    {
-        return;
-    }
+    if (!filter_.valid() || filteredStep_ == runTime_.timeIndex()) return;
     filteredStep_ = runTime_.timeIndex();
 
     // One reduction for all

@@ -151,10 +151,7 @@ Foam::functionObjects::reactionForces::reactionForces
                     r.impulse = vector(s[0], s[1], s[2]);
                     r.work = s[3];
                     r.stepImpulse = vector(s[4], s[5], s[6]);
-                    if (stride == nSums)
-                    {
-                        r.stepTwist = vector(s[7], s[8], s[9]);
-                    }
+                    if (stride == nSums) r.stepTwist = vector(s[7], s[8], s[9]);
                 }
                 solids_.continueReaction(i, patchi, r, times[k]);
             }

@@ -196,10 +196,7 @@ Foam::functionObjects::solidFunctionObject::commonKeywords()
 bool Foam::functionObjects::solidFunctionObject::write()
 {
     const scalar now = passed();
-    if (!controlled_ && now == written_)
-    {
-        return true;
-    }
+    if (!controlled_ && now == written_) return true;
     written_ = now;
     writtenStep_ = runTime_.timeIndex();
     return writeRow();
