@@ -10,7 +10,6 @@ from pathlib import Path
 
 from vertexContactCases import (bumperModel, drawFields, drawHistories,
                                 drawSolids, readResults)
-from vertexContactCases.drawHistories import plt
 
 MESHES = {3: "Mesh I", 4: "Mesh II", 6: "Mesh III", 8: "Mesh IV"}
 TIMES = 0.0005, 0.001, 0.0015, 0.0025
@@ -36,42 +35,32 @@ def label(case):
 def plotForce(file, runs):
     """Of the floor: as it is, behind the filter, and of the model."""
     unit, value = TIME_UNIT
-    figure, ax = plt.subplots(figsize=(8, 5), layout="constrained")
     model = bumperModel.drop()
-    ax.plot((bumperModel.FIRST_CONTACT + model.times)/value, model.forces,
-            color="black", label="mass on a spring")
-    for run in runs:
-        data = readResults.table(run.folder, "contactForces", "floor.dat")
-        t = data["Time"]/value
-        line, = ax.plot(t, data["bumper.bottom:Fz"], label=run.label,
-                        **run.style)
-    ax.plot(t, data["bumper.bottom:filteredFz"], "--", color=line.get_color(),
-            label="the last, filtered at 2 kHz")
-    ax.set(xlabel=f"time [{unit}]", ylabel="force of the floor [N]")
-    ax.grid(color="0.9")
-    ax.margins(x=0)
-    ax.legend()
-    figure.savefig(file, dpi=drawHistories.DPI)
-    plt.close(figure)
+    with drawHistories.diagram(
+            file, f"time [{unit}]", "force of the floor [N]") as ax:
+        ax.plot((bumperModel.FIRST_CONTACT + model.times)/value, model.forces,
+                color="black", label="mass on a spring")
+        for run in runs:
+            data = readResults.table(run.folder, "contactForces", "floor.dat")
+            t = data["Time"]/value
+            line, = ax.plot(t, data["bumper.bottom:Fz"], label=run.label,
+                            **run.style)
+        ax.plot(t, data["bumper.bottom:filteredFz"], "--",
+                color=line.get_color(), label="the last, filtered at 2 kHz")
 
 
 def plotStress(file, runs):
     """The largest in the box, wherever it is."""
     unit, value = TIME_UNIT
-    figure, ax = plt.subplots(figsize=(8, 5), layout="constrained")
-    for run in runs:
-        if settings(run.folder)[1] == "rigid":
-            continue
-        data = readResults.table(run.folder, "peaks", "extremes.dat")
-        ax.plot(data["Time"]/value, data["box:sigmaEq:max"]/1e6,
-                label=run.label, **run.style)
-    ax.set(xlabel=f"time [{unit}]",
-           ylabel="largest von Mises stress in the box [MPa]")
-    ax.grid(color="0.9")
-    ax.margins(x=0)
-    ax.legend()
-    figure.savefig(file, dpi=drawHistories.DPI)
-    plt.close(figure)
+    with drawHistories.diagram(
+            file, f"time [{unit}]",
+            "largest von Mises stress in the box [MPa]") as ax:
+        for run in runs:
+            if settings(run.folder)[1] == "rigid":
+                continue
+            data = readResults.table(run.folder, "peaks", "extremes.dat")
+            ax.plot(data["Time"]/value, data["box:sigmaEq:max"]/1e6,
+                    label=run.label, **run.style)
 
 
 def main(case="."):

@@ -12,7 +12,6 @@ import numpy as np
 
 from vertexContactCases import (drawFields, drawHistories, drawSolids,
                                 hertzSolution, readResults)
-from vertexContactCases.drawHistories import plt
 from vertexContactCases.readFields import Reader
 
 MESHES = {0.28: "Mesh I", 0.21: "Mesh II", 0.14: "Mesh III", 0.105: "Mesh IV"}
@@ -56,38 +55,30 @@ def tractions(case, time):
 
 def plotForce(file, runs):
     unit, value = TIME_UNIT
-    figure, ax = plt.subplots(figsize=(8, 5), layout="constrained")
-    times, values = hertzSolution.history()
-    ax.plot(times/value, values, color="black", label="Hertz")
-    for run in runs:
-        times, values = force(run.folder)
-        ax.plot(times/value, values, label=run.label, **run.style)
-    ax.set(xlabel=f"time [{unit}]", ylabel="force on the sphere [N]")
-    ax.grid(color="0.9")
-    ax.margins(x=0)
-    ax.legend()
-    figure.savefig(file, dpi=drawHistories.DPI)
-    plt.close(figure)
+    with drawHistories.diagram(
+            file, f"time [{unit}]", "force on the sphere [N]") as ax:
+        times, values = hertzSolution.history()
+        ax.plot(times/value, values, color="black", label="Hertz")
+        for run in runs:
+            times, values = force(run.folder)
+            ax.plot(times/value, values, label=run.label, **run.style)
 
 
 def plotTraction(file, case):
     """Against the theory at the force of that time."""
-    figure, ax = plt.subplots(figsize=(8, 5), layout="constrained")
     F = np.interp(LARGEST_FORCE, *force(case))
     a = hertzSolution.contactRadius(F)
-    r = np.linspace(0, 1.5*a, 301)
-    ax.plot(r/1e-3, hertzSolution.pressure(r, F)/1e3, color="black",
-            label=f"Hertz, {F:.3g} N")
-    r, t = tractions(case, LARGEST_FORCE)
-    near = r < 1.5*a
-    ax.plot(r[near]/1e-3, t[near]/1e3, "o", markersize=4, label=label(case))
-    ax.set(xlabel="distance from the axis [mm]",
-           ylabel="contact traction [kPa]",
-           title=f"{LARGEST_FORCE/1e-3:g} ms")
-    ax.grid(color="0.9")
-    ax.legend()
-    figure.savefig(file, dpi=drawHistories.DPI)
-    plt.close(figure)
+    with drawHistories.diagram(
+            file, "distance from the axis [mm]", "contact traction [kPa]",
+            title=f"{LARGEST_FORCE/1e-3:g} ms") as ax:
+        ax.margins(x=0.05)
+        r = np.linspace(0, 1.5*a, 301)
+        ax.plot(r/1e-3, hertzSolution.pressure(r, F)/1e3, color="black",
+                label=f"Hertz, {F:.3g} N")
+        r, t = tractions(case, LARGEST_FORCE)
+        near = r < 1.5*a
+        ax.plot(r[near]/1e-3, t[near]/1e3, "o", markersize=4,
+                label=label(case))
 
 
 def main(case="."):

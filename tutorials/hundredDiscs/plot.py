@@ -8,7 +8,6 @@ import sys
 from pathlib import Path
 
 from vertexContactCases import discs, drawFields, drawHistories, heap
-from vertexContactCases.drawHistories import plt
 
 MESHES = {4: "Mesh I", 6: "Mesh II", 8: "Mesh III", 12: "Mesh IV"}
 TIMES = 0.1, 0.2, 0.3, 0.8
@@ -26,39 +25,25 @@ def label(case):
     return MESHES.get(n, f"{n} elements")
 
 
-def axes(ylabel):
-    figure, ax = plt.subplots(figsize=(8, 5), layout="constrained")
-    ax.set(xlabel="time [s]", ylabel=ylabel)
-    ax.grid(color="0.9")
-    ax.margins(x=0)
-    return figure, ax
-
-
-def finish(file, figure, ax):
-    ax.legend()
-    figure.savefig(file, dpi=drawHistories.DPI)
-    plt.close(figure)
-
-
 def plotEnergies(file, run):
     """Where the work of gravity goes."""
     times, parts = heap.ledger(run.folder)
-    figure, ax = axes("energy [J/m]")
-    ax.set_title(run.label)
-    for name, energy in parts.items():
-        ax.plot(times, energy, label=name)
-    finish(file, figure, ax)
+    with drawHistories.diagram(
+            file, "time [s]", "energy [J/m]", title=run.label) as ax:
+        for name, energy in parts.items():
+            ax.plot(times, energy, label=name)
 
 
 def plotBox(file, runs):
     """Force of the box over the weight."""
-    figure, ax = axes("force of the box upwards / weight of the discs")
-    ax.axhline(1, color="black", linewidth=1, linestyle=":")
-    for run in runs:
-        times, force, *_ = heap.box(run.folder)
-        ax.plot(times, force[:, 1]/heap.mass(size(run.folder))/heap.GRAVITY,
-                label=run.label, **run.style)
-    finish(file, figure, ax)
+    with drawHistories.diagram(
+            file, "time [s]",
+            "force of the box upwards / weight of the discs") as ax:
+        ax.axhline(1, color="black", linewidth=1, linestyle=":")
+        for run in runs:
+            times, force, *_ = heap.box(run.folder)
+            weight = heap.mass(size(run.folder))*heap.GRAVITY
+            ax.plot(times, force[:, 1]/weight, label=run.label, **run.style)
 
 
 def main(case="."):

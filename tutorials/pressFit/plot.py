@@ -10,7 +10,6 @@ from pathlib import Path
 import numpy as np
 
 from vertexContactCases import drawFields, drawHistories, lame
-from vertexContactCases.drawHistories import plt
 from vertexContactCases.readFields import Reader
 
 MESHES = {4: "Mesh I", 8: "Mesh II", 16: "Mesh III", 32: "Mesh IV"}
@@ -33,29 +32,26 @@ def plotStresses(file, case, label):
     """Radial and hoop stress of all nodes at the last time, and Lame's."""
     reader = Reader(case)
     bodies = reader.read(reader.times[-1])
-    figure, ax = plt.subplots(figsize=(8, 5), layout="constrained")
-    for name, body in bodies.items():
-        # VTK's order is xx yy zz xy yz xz
-        sigma = np.asarray(body.point_data["sigma"], dtype=float)
-        r, radial, hoop = polar(np.asarray(body.points, dtype=float),
-                                sigma[:, (0, 3, 5, 1, 4, 2)])
-        first = name == "shaft"
-        ax.plot(r/1e-3, radial/1e6, ".", color="C0",
-                label="radial" if first else None)
-        ax.plot(r/1e-3, hoop/1e6, ".", color="C1",
-                label="hoop" if first else None)
-    for i, radii in enumerate((
-            np.linspace(lame.A, lame.B*(1 - 1e-9)),
-            np.linspace(lame.B, lame.C))):
-        for stress in lame.stresses(radii):
-            ax.plot(radii/1e-3, stress/1e6, color="black", linewidth=1,
-                    label=None if i else "Lamé")
-    handles, names = ax.get_legend_handles_labels()
-    ax.legend(handles[:3], names[:3])
-    ax.set(xlabel="radius [mm]", ylabel="stress [MPa]", title=label)
-    ax.grid(color="0.9")
-    figure.savefig(file, dpi=drawHistories.DPI)
-    plt.close(figure)
+    with drawHistories.diagram(
+            file, "radius [mm]", "stress [MPa]", title=label) as ax:
+        ax.margins(x=0.05)
+        for name, body in bodies.items():
+            # VTK's order is xx yy zz xy yz xz
+            sigma = np.asarray(body.point_data["sigma"], dtype=float)
+            r, radial, hoop = polar(np.asarray(body.points, dtype=float),
+                                    sigma[:, (0, 3, 5, 1, 4, 2)])
+            first = name == "shaft"
+            ax.plot(r/1e-3, radial/1e6, ".", color="C0",
+                    label="radial" if first else None)
+            ax.plot(r/1e-3, hoop/1e6, ".", color="C1",
+                    label="hoop" if first else None)
+        theory = "Lamé"
+        for radii in (np.linspace(lame.A, lame.B*(1 - 1e-9)),
+                      np.linspace(lame.B, lame.C)):
+            for stress in lame.stresses(radii):
+                ax.plot(radii/1e-3, stress/1e6, color="black", linewidth=1,
+                        label=theory)
+                theory = None
 
 
 def main(case="."):

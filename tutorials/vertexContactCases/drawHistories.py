@@ -4,6 +4,7 @@ Allrun keeps the histories of each mesh in results/<MESH>, which looks like a
 case as far as postProcessing and system/caseParameters go.
 """
 
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -49,6 +50,22 @@ def findRuns(case, size, label):
             for i, (_, folder) in enumerate(sorted(others.items()), start=1)]
     return [*runs, Run(case, label(case),
                        dict(color="C0", linewidth=2, zorder=1.9))]
+
+
+@contextmanager
+def diagram(file, xlabel, ylabel, **others):
+    """Axes of a picture of one diagram, which is written at the end.
+
+    others  what Axes.set takes
+    """
+    figure, ax = plt.subplots(figsize=(8, 5), layout="constrained")
+    ax.margins(x=0)
+    yield ax
+    ax.set(xlabel=xlabel, ylabel=ylabel, **others)
+    ax.grid(color="0.9")
+    ax.legend()
+    figure.savefig(file, dpi=DPI)
+    plt.close(figure)
 
 
 def _finish(figure, axes, file, timeLabel, lines):
@@ -177,14 +194,8 @@ def plotWork(file, run, timeUnit, energyUnit, parts):
     parts       {column of energies.dat: what it is called}
     """
     data = readResults.table(run.folder, "solidEnergies", "energies.dat")
-    figure, ax = plt.subplots(figsize=(8, 5), layout="constrained")
-    for key, name in parts.items():
-        ax.plot(data["Time"]/timeUnit[1], data[f"total:{key}"]/energyUnit[1],
-                label=name)
-    ax.set(xlabel=f"time [{timeUnit[0]}]", ylabel=f"energy [{energyUnit[0]}]",
-           title=run.label)
-    ax.grid(color="0.9")
-    ax.margins(x=0)
-    ax.legend()
-    figure.savefig(file, dpi=DPI)
-    plt.close(figure)
+    with diagram(file, f"time [{timeUnit[0]}]", f"energy [{energyUnit[0]}]",
+                 title=run.label) as ax:
+        for key, name in parts.items():
+            ax.plot(data["Time"]/timeUnit[1],
+                    data[f"total:{key}"]/energyUnit[1], label=name)

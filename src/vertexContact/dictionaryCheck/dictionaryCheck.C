@@ -107,10 +107,7 @@ void Foam::dictionaryCheck::onlyKeywords
     for (const entry& e : dict)
     {
         const keyType& key = e.keyword();
-        if (key == "FoamFile" || valid.found(key))
-        {
-            continue;
-        }
+        if (key == "FoamFile" || valid.found(key)) continue;
 
         FatalIOErrorInFunction(dict)
             << "Unknown keyword '" << key << "'."

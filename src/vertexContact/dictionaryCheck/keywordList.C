@@ -25,10 +25,7 @@ Foam::wordList Foam::keywordList::names() const
 Foam::keywordList Foam::keywordList::within(const word& dict) const
 {
     keywordList moved(*this);
-    for (keyword& k : moved.all)
-    {
-        k.within = dict;
-    }
+    for (keyword& k : moved.all) k.within = dict;
     return moved;
 }
 

@@ -48,20 +48,14 @@ PtrList<functionObject> ownFunctionObjects
     PtrList<functionObject> own;
     const dictionary* functions =
         runTime.controlDict().findDict("functions");
-    if (!functions || !runTime.functionObjects().status())
-    {
-        return own;
-    }
+    if (!functions || !runTime.functionObjects().status()) return own;
 
     const auto& known =
         *functionObjects::solidFunctionObject::
         keywordsOfModelMemberFunctionTablePtr_;
     for (const entry& e : *functions)
     {
-        if (!e.isDict() || !e.dict().getOrDefault("enabled", true))
-        {
-            continue;
-        }
+        if (!e.isDict() || !e.dict().getOrDefault("enabled", true)) continue;
         const dictionary& dict = e.dict();
         const word name(e.keyword());
         if (!known.found(dict.getOrDefault<word>("type", word::null)))

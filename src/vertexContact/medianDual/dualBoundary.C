@@ -54,10 +54,7 @@ public:
     {
         s[a][j] += factor*area;
 
-        for (label k = 0; k < nDim; ++k)
-        {
-            w[a][j][k] += factor*vec[k];
-        }
+        for (label k = 0; k < nDim; ++k) w[a][j][k] += factor*vec[k];
     }
 };
 
@@ -66,10 +63,7 @@ public:
 static scalar length(const scalar* v, const label nDim)
 {
     scalar sum = 0;
-    for (label k = 0; k < nDim; ++k)
-    {
-        sum += v[k]*v[k];
-    }
+    for (label k = 0; k < nDim; ++k) sum += v[k]*v[k];
 
     return std::sqrt(sum);
 }

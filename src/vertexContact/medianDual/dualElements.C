@@ -26,10 +26,7 @@ bool Foam::dualElements::add3D
         nQuad += (faces[facei].size() == 4);
     }
 
-    if (nTri + nQuad != faces.size())
-    {
-        return false;
-    }
+    if (nTri + nQuad != faces.size()) return false;
 
     elementTopology::kind kind = elementTopology::nKinds;
     label baseSize = 3;
@@ -67,10 +64,7 @@ bool Foam::dualElements::add3D
     // that has this edge has it in the sense of the inward base
     label v[8];
     label upper[4][2];
-    for (label i = 0; i < baseSize; ++i)
-    {
-        v[i] = faces[basei][baseSize - 1 - i];
-    }
+    for (label i = 0; i < baseSize; ++i) v[i] = faces[basei][baseSize - 1 - i];
 
     for (label i = 0; i < baseSize; ++i)
     {
@@ -86,10 +80,7 @@ bool Foam::dualElements::add3D
             {
                 if (f[fp] == p && f[f.fcIndex(fp)] == q)
                 {
-                    if (found)
-                    {
-                        return false;
-                    }
+                    if (found) return false;
                     found = true;
 
                     upper[i][0] = f[f.rcIndex(fp)];
@@ -98,10 +89,7 @@ bool Foam::dualElements::add3D
             }
         }
 
-        if (!found)
-        {
-            return false;
-        }
+        if (!found) return false;
     }
 
     // Both sides have to agree on what is above a vertex
@@ -109,10 +97,7 @@ bool Foam::dualElements::add3D
     {
         const label previous = (i + baseSize - 1) % baseSize;
 
-        if (upper[i][0] != upper[previous][1])
-        {
-            return false;
-        }
+        if (upper[i][0] != upper[previous][1]) return false;
     }
 
     const elementTopology& topology = elementTopology::of(kind);
@@ -123,10 +108,7 @@ bool Foam::dualElements::add3D
 
         for (label i = 1; i < baseSize; ++i)
         {
-            if (upper[i][0] != v[baseSize])
-            {
-                return false;
-            }
+            if (upper[i][0] != v[baseSize]) return false;
         }
     }
     else
@@ -141,10 +123,7 @@ bool Foam::dualElements::add3D
     {
         for (label j = 0; j < i; ++j)
         {
-            if (v[i] == v[j])
-            {
-                return false;
-            }
+            if (v[i] == v[j]) return false;
         }
     }
 
@@ -189,18 +168,12 @@ bool Foam::dualElements::add2D
         }
     }
 
-    if (nBases != 1)
-    {
-        return false;
-    }
+    if (nBases != 1) return false;
 
     const labelList& base = faces[basei];
     const label n = base.size();
 
-    if (faces.size() != n + 2 || (n != 3 && n != 4))
-    {
-        return false;
-    }
+    if (faces.size() != n + 2 || (n != 3 && n != 4)) return false;
 
     kinds_[celli] =
     (
@@ -244,19 +217,13 @@ bool Foam::dualElements::add1D
 
         if (isEnd)
         {
-            if (nEnds == 2)
-            {
-                return false;
-            }
+            if (nEnds == 2) return false;
             end[nEnds++] = node;
             endFace = facei;
         }
     }
 
-    if (nEnds != 2 || end[0] == end[1] || faces.size() != 6)
-    {
-        return false;
-    }
+    if (nEnds != 2 || end[0] == end[1] || faces.size() != 6) return false;
 
     // The second end is the one that looks in positive direction
     const vector outward = face(faces[endFace]).areaNormal(mesh.points());
@@ -378,10 +345,7 @@ Foam::dualElements::dualElements
 
 void Foam::dualElements::renumber(const labelUList& newNode)
 {
-    for (label& node : vertices_)
-    {
-        node = newNode[node];
-    }
+    for (label& node : vertices_) node = newNode[node];
 }
 
 

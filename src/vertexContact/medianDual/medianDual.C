@@ -7,6 +7,7 @@
 #include "medianDual.H"
 #include "dualBoundary.H"
 #include "dualElements.H"
+#include "DynamicList.H"
 #include "nativeDual.H"
 #include "nodeGraph.H"
 #include "polyMesh.H"
@@ -118,10 +119,7 @@ static void addElements
 
         if (!decomposition.calculate(topology, nodes, elementX, dual))
         {
-            if (!nInverted++)
-            {
-                firstInverted = elementi;
-            }
+            if (!nInverted++) firstInverted = elementi;
             continue;
         }
 
@@ -145,18 +143,12 @@ static void addElements
             if (a < b)
             {
                 scalar* sum = area.data() + graph.find(a, b)*nDim;
-                for (label k = 0; k < nDim; ++k)
-                {
-                    sum[k] += c[k];
-                }
+                for (label k = 0; k < nDim; ++k) sum[k] += c[k];
             }
             else
             {
                 scalar* sum = area.data() + graph.find(b, a)*nDim;
-                for (label k = 0; k < nDim; ++k)
-                {
-                    sum[k] -= c[k];
-                }
+                for (label k = 0; k < nDim; ++k) sum[k] -= c[k];
             }
         }
     }
@@ -290,58 +282,39 @@ Foam::medianDual::medianDual(const polyMesh& mesh, const cellTreatment cells)
     }
 
     // Keep the edges of this rank that carry anything
-    bitSet kept(sharedEdges::merge(sharing(), graph, nDim_, -1, area));
-    label nKept = 0;
+    const bitSet held(sharedEdges::merge(sharing(), graph, nDim_, -1, area));
+    DynamicList<label> edgeNodes(2*graph.nEdges());
+    DynamicList<scalar> edgeArea(nDim_*graph.nEdges());
 
     for (label a = 0; a < graph.nNodes(); ++a)
     {
-        const label end = graph.start()[a + 1];
-
-        for (label edgei = graph.start()[a]; edgei < end; ++edgei)
+        for (label e = graph.start()[a]; e < graph.start()[a + 1]; ++e)
         {
-            const scalar volume =
-                min(nodeVolume_[a], nodeVolume_[graph.upper()[edgei]]);
-            const scalar scale = std::pow(volume, (nDim_ - 1.0)/nDim_);
+            const label b = graph.upper()[e];
+            const scalar* c = area.cdata() + e*nDim_;
+            const scalar volume = min(nodeVolume_[a], nodeVolume_[b]);
 
             scalar magnitude = 0;
             for (label k = 0; k < nDim_; ++k)
             {
-                magnitude = max(magnitude, mag(area[edgei*nDim_ + k]));
+                magnitude = max(magnitude, mag(c[k]));
             }
 
-            if (magnitude <= noArea*scale)
+            if
+            (
+                held.test(e)
+             && magnitude > noArea*std::pow(volume, (nDim_ - 1.0)/nDim_)
+            )
             {
-                kept.unset(edgei);
+                edgeNodes.append(a);
+                edgeNodes.append(b);
+                for (label k = 0; k < nDim_; ++k) edgeArea.append(c[k]);
             }
-
-            nKept += kept.test(edgei);
         }
     }
 
-    edgeNodes_.setSize(2*nKept);
-    edgeArea_.setSize(nDim_*nKept);
-    nKept = 0;
-
-    for (label a = 0; a < graph.nNodes(); ++a)
-    {
-        const label end = graph.start()[a + 1];
-
-        for (label edgei = graph.start()[a]; edgei < end; ++edgei)
-        {
-            if (kept.test(edgei))
-            {
-                edgeNodes_[2*nKept] = a;
-                edgeNodes_[2*nKept + 1] = graph.upper()[edgei];
-
-                for (label k = 0; k < nDim_; ++k)
-                {
-                    edgeArea_[nKept*nDim_ + k] = area[edgei*nDim_ + k];
-                }
-
-                ++nKept;
-            }
-        }
-    }
+    edgeNodes_.transfer(edgeNodes);
+    edgeArea_ = scalarField(edgeArea);
 
     dualBoundary::calculate
     (
@@ -377,10 +350,7 @@ std::size_t Foam::medianDual::bytes() const
         )
       + sharing_->bytes();
 
-    for (const dualPatch& patch : patches_)
-    {
-        total += patch.bytes();
-    }
+    for (const dualPatch& patch : patches_) total += patch.bytes();
 
     return total;
 }

@@ -66,10 +66,7 @@ void Foam::nativeDual::calculate
     scalar centre[3] = {0, 0, 0};
     for (label i = 0; i < n; ++i)
     {
-        for (label k = 0; k < nDim; ++k)
-        {
-            centre[k] += x[i*nDim + k]/n;
-        }
+        for (label k = 0; k < nDim; ++k) centre[k] += x[i*nDim + k]/n;
     }
 
     if (nDim == 1)
@@ -154,10 +151,7 @@ void Foam::nativeDual::cornerArea
     for (label k = 0; k < 3; ++k)
     {
         toCentre[k] = -p[k];
-        for (label i = 0; i < n; ++i)
-        {
-            toCentre[k] += x[3*i + k]/n;
-        }
+        for (label i = 0; i < n; ++i) toCentre[k] += x[3*i + k]/n;
 
         across[k] = 0.5*(previous[k] - next[k]);
     }

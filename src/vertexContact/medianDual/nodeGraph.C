@@ -177,10 +177,7 @@ Foam::labelList Foam::nodeGraph::bandCompression() const
     label begin = 0;
     for (const label candidate : candidates)
     {
-        if (visit[candidate] != -1)
-        {
-            continue;
-        }
+        if (visit[candidate] != -1) continue;
 
         // A root as far out as possible: from the last level of the previous
         // attempt, as long as that makes more levels
@@ -199,10 +196,7 @@ Foam::labelList Foam::nodeGraph::bandCompression() const
 
             const levels next = traverse(other, begin, false);
 
-            if (next.number <= current.number)
-            {
-                break;
-            }
+            if (next.number <= current.number) break;
 
             root = other;
             current = next;
@@ -212,10 +206,7 @@ Foam::labelList Foam::nodeGraph::bandCompression() const
     }
 
     labelList newNode(n);
-    for (label i = 0; i < n; ++i)
-    {
-        newNode[order[i]] = n - 1 - i;
-    }
+    for (label i = 0; i < n; ++i) newNode[order[i]] = n - 1 - i;
 
     return newNode;
 }

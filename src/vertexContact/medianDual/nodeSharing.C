@@ -26,35 +26,20 @@ namespace Foam
 struct nodalSum
 {
     static constexpr scalar neutral = 0;
-
-    void operator()(scalar& x, const scalar y) const
-    {
-        x += y;
-    }
+    void operator()(scalar& x, const scalar y) const { x += y; }
 };
-
 
 struct nodalMin
 {
     static constexpr scalar neutral = std::numeric_limits<scalar>::infinity();
-
-    void operator()(scalar& x, const scalar y) const
-    {
-        x = (y < x ? y : x);
-    }
+    void operator()(scalar& x, const scalar y) const { if (y < x) x = y; }
 };
-
 
 struct nodalMax
 {
     static constexpr scalar neutral = -std::numeric_limits<scalar>::infinity();
-
-    void operator()(scalar& x, const scalar y) const
-    {
-        x = (y > x ? y : x);
-    }
+    void operator()(scalar& x, const scalar y) const { if (y > x) x = y; }
 };
-
 
 //- Union of two sets of ranks
 struct uniteRanks
@@ -71,15 +56,6 @@ struct uniteRanks
     }
 };
 
-
-struct lowestId
-{
-    void operator()(label& x, const label y) const
-    {
-        x = (y < x ? y : x);
-    }
-};
-
 } // End namespace Foam
 
 
@@ -93,17 +69,11 @@ void Foam::nodeSharing::combine
     const CombineOp& cop
 ) const
 {
-    if (!active())
-    {
-        return;
-    }
+    if (!active()) return;
 
     // Values of a node, in all arrays
     label width = 0;
-    for (label i = 0; i < nArrays; ++i)
-    {
-        width += arrays[i].second;
-    }
+    for (label i = 0; i < nArrays; ++i) width += arrays[i].second;
 
     std::size_t nValues = 0;
     for (const labelList& shared : sharedWith_)
@@ -130,10 +100,7 @@ void Foam::nodeSharing::combine
                 const scalar* data =
                     arrays[i].first + std::size_t(node)*stride;
 
-                for (label k = 0; k < stride; ++k)
-                {
-                    *value++ = data[k];
-                }
+                for (label k = 0; k < stride; ++k) *value++ = data[k];
             }
         }
     }
@@ -168,10 +135,7 @@ void Foam::nodeSharing::combine
         for (const label i : shared)
         {
             const scalar* value = own.get() + std::size_t(i)*width;
-            for (label k = 0; k < width; ++k)
-            {
-                *message++ = value[k];
-            }
+            for (label k = 0; k < width; ++k) *message++ = value[k];
         }
 
         const std::size_t n = std::size_t(shared.size())*width;
@@ -230,10 +194,7 @@ void Foam::nodeSharing::combine
             const label stride = arrays[i].second;
             scalar* data = arrays[i].first + std::size_t(node)*stride;
 
-            for (label k = 0; k < stride; ++k)
-            {
-                data[k] = *value++;
-            }
+            for (label k = 0; k < stride; ++k) data[k] = *value++;
         }
     }
 }
@@ -261,10 +222,7 @@ Foam::nodeSharing::nodeSharing
         globalNode_[node] = node;
     }
 
-    if (!UPstream::parRun())
-    {
-        return;
-    }
+    if (!UPstream::parRun()) return;
 
     const label myRank = UPstream::myProcNo(comm_);
 
@@ -297,7 +255,7 @@ Foam::nodeSharing::nodeSharing
         globalData.globalPointSlaves(),
         globalData.globalPointTransformedSlaves(),
         globalData.globalPointSlavesMap(),
-        lowestId()
+        minEqOp<label>()
     );
 
     // From points to nodes. Each rank that has one point of a node has all
@@ -314,7 +272,7 @@ Foam::nodeSharing::nodeSharing
         const label node = pointNode[coupledPoints[i]];
 
         uniteRanks()(nodeRanks[node], ranks[i]);
-        lowestId()(globalNode_[node], id[i]);
+        globalNode_[node] = Foam::min(globalNode_[node], id[i]);
     }
 
     label nShared = 0;
@@ -411,10 +369,7 @@ std::size_t Foam::nodeSharing::bytes() const
     std::size_t nLabels =
         neighbours_.size() + sharedNodes_.size() + globalNode_.size();
 
-    for (const labelList& shared : sharedWith_)
-    {
-        nLabels += shared.size();
-    }
+    for (const labelList& shared : sharedWith_) nLabels += shared.size();
 
     return nLabels*sizeof(label) + owned_.size()/8;
 }
@@ -422,8 +377,7 @@ std::size_t Foam::nodeSharing::bytes() const
 
 void Foam::nodeSharing::sum(scalar* data, const label stride) const
 {
-    const nodalArray array(data, stride);
-    combine(&array, 1, nodalSum());
+    sum({{data, stride}});
 }
 
 
@@ -444,18 +398,6 @@ void Foam::nodeSharing::max(scalar* data, const label stride) const
 void Foam::nodeSharing::sum(std::initializer_list<nodalArray> arrays) const
 {
     combine(arrays.begin(), label(arrays.size()), nodalSum());
-}
-
-
-void Foam::nodeSharing::min(std::initializer_list<nodalArray> arrays) const
-{
-    combine(arrays.begin(), label(arrays.size()), nodalMin());
-}
-
-
-void Foam::nodeSharing::max(std::initializer_list<nodalArray> arrays) const
-{
-    combine(arrays.begin(), label(arrays.size()), nodalMax());
 }
 
 

@@ -27,10 +27,7 @@ Foam::bitSet Foam::sharedEdges::merge
 {
     bitSet kept(graph.nEdges(), true);
 
-    if (!UPstream::parRun())
-    {
-        return kept;
-    }
+    if (!UPstream::parRun()) return kept;
 
     const labelList& sharedNodes = sharing.sharedNodes();
     const labelList& globalNode = sharing.globalNode();
@@ -66,10 +63,7 @@ Foam::bitSet Foam::sharedEdges::merge
         {
             const label b = graph.upper()[edgei];
 
-            if (sharedIndex[b] == -1)
-            {
-                continue;
-            }
+            if (sharedIndex[b] == -1) continue;
 
             const bool forward = globalNode[a] < globalNode[b];
             const DynamicList<label, 4>& ofB = nodeNeighbours[sharedIndex[b]];
@@ -144,10 +138,7 @@ Foam::bitSet Foam::sharedEdges::merge
             const label b = localNode(receivedEnds[2*i + 1]);
             const label edgei = (a < b ? graph.find(a, b) : graph.find(b, a));
 
-            if (edgei == -1)
-            {
-                continue;
-            }
+            if (edgei == -1) continue;
 
             if (neighbours[neighbouri] < myRank)
             {

@@ -57,10 +57,7 @@ static inline scalar simplexAreas
         {
             const scalar* xi = x + 3*s[i];
 
-            for (label k = 0; k < 3; ++k)
-            {
-                e[i][k] = xi[k] - x0[k];
-            }
+            for (label k = 0; k < 3; ++k) e[i][k] = xi[k] - x0[k];
         }
 
         // Opposite to i: the cross product of the other two, outward
@@ -170,10 +167,7 @@ void Foam::simplexDecomposition::singleSplit
     vertex first = 0;
     for (label i = 1; i < topology.nVertices; ++i)
     {
-        if (place_[nodes[i]] < place_[nodes[label(first)]])
-        {
-            first = vertex(i);
-        }
+        if (place_[nodes[i]] < place_[nodes[label(first)]]) first = vertex(i);
     }
 
     if (topology.nDim == 2)
@@ -248,10 +242,7 @@ Foam::simplexDecomposition::simplexDecomposition
     single_(single && nDim > 1),
     nDim_(nDim)
 {
-    if (!single_)
-    {
-        return;
-    }
+    if (!single_) return;
 
     scalar shortest = GREAT;
 
@@ -267,10 +258,7 @@ Foam::simplexDecomposition::simplexDecomposition
             const scalar* xj = x.cdata() + nodes[pair%8]*nDim;
 
             scalar lengthSqr = 0;
-            for (label k = 0; k < nDim; ++k)
-            {
-                lengthSqr += sqr(xj[k] - xi[k]);
-            }
+            for (label k = 0; k < nDim; ++k) lengthSqr += sqr(xj[k] - xi[k]);
 
             shortest = min(shortest, lengthSqr);
         }
@@ -298,18 +286,12 @@ Foam::simplexDecomposition::simplexDecomposition
                 const scalar ra = rounded(xa[k], step);
                 const scalar rb = rounded(xb[k], step);
 
-                if (ra != rb)
-                {
-                    return ra < rb;
-                }
+                if (ra != rb) return ra < rb;
             }
 
             for (label k = 0; k < nDim; ++k)
             {
-                if (xa[k] != xb[k])
-                {
-                    return xa[k] < xb[k];
-                }
+                if (xa[k] != xb[k]) return xa[k] < xb[k];
             }
 
             // Coincident nodes: never of the same (valid) element
@@ -333,10 +315,7 @@ std::uint64_t Foam::simplexDecomposition::edges
     const label* nodes
 ) const
 {
-    if (!single_)
-    {
-        return topology.splitEdges;
-    }
+    if (!single_) return topology.splitEdges;
 
     elementTopology::split split;
     singleSplit(topology, nodes, split);
@@ -398,18 +377,12 @@ bool Foam::simplexDecomposition::calculate
 
 Foam::label Foam::simplexDecomposition::diagonal(const label* faceNodes) const
 {
-    if (!single_)
-    {
-        return -1;
-    }
+    if (!single_) return -1;
 
     label first = 0;
     for (label i = 1; i < 4; ++i)
     {
-        if (place_[faceNodes[i]] < place_[faceNodes[first]])
-        {
-            first = i;
-        }
+        if (place_[faceNodes[i]] < place_[faceNodes[first]]) first = i;
     }
 
     return first;

@@ -140,10 +140,7 @@ void Foam::solutionNodes::check(const polyMesh& mesh)
 
     // Bounding box of each node in the directions left out
     bool isEmpty[3] = {true, true, true};
-    for (label i = 0; i < nDim; ++i)
-    {
-        isEmpty[directions[i]] = false;
-    }
+    for (label i = 0; i < nDim; ++i) isEmpty[directions[i]] = false;
 
     labelList nPoints(nNodes, Zero);
     List<point> lower(nNodes, point::uniform(GREAT));
@@ -177,10 +174,7 @@ void Foam::solutionNodes::check(const polyMesh& mesh)
             }
         }
 
-        if (first)
-        {
-            nodePoint[node] = pointi;
-        }
+        if (first) nodePoint[node] = pointi;
     }
 
     scalar smallest = GREAT;
@@ -204,10 +198,7 @@ void Foam::solutionNodes::check(const polyMesh& mesh)
         scalar extent = 1;
         for (direction cmpt = 0; cmpt < 3; ++cmpt)
         {
-            if (isEmpty[cmpt])
-            {
-                extent *= upper[node][cmpt] - lower[node][cmpt];
-            }
+            if (isEmpty[cmpt]) extent *= upper[node][cmpt] - lower[node][cmpt];
         }
 
         smallest = min(smallest, extent);
@@ -251,10 +242,7 @@ Foam::solutionNodes::solutionNodes(const polyMesh& mesh)
 
     for (direction cmpt = 0; cmpt < 3; ++cmpt)
     {
-        if (solved[cmpt] == 1)
-        {
-            directions[nDim++] = cmpt;
-        }
+        if (solved[cmpt] == 1) directions[nDim++] = cmpt;
     }
 
     if (nDim == 0)

@@ -339,10 +339,7 @@ bool Foam::modelLists::write(const argList& args, Ostream& os)
     {
         any = any || args.found(option.name);
     }
-    if (!any)
-    {
-        return false;
-    }
+    if (!any) return false;
 
     // Models of the user's libraries, as Time would load them
     dlLibraryTable libraries;

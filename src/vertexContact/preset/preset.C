@@ -63,6 +63,12 @@ Foam::preset::preset(const dictionary& controlDict)
 
 Foam::keywordList Foam::preset::keywords() const
 {
+    string fluxes;
+    for (const word& name : timeIntegrator::names.toc())
+    {
+        const timeIntegrator its(timeIntegrator::names[name]);
+        fluxes += (fluxes.size() ? ", " : "") + Foam::name(its.nStages());
+    }
     return
     {
         {
@@ -73,7 +79,8 @@ Foam::keywordList Foam::preset::keywords() const
             "timeIntegrator", "", timeIntegrator::names[integrator],
             keywordList::oneOf
             (
-                timeIntegrator::names.toc(), "two, three, one, one flux a step"
+                timeIntegrator::names.toc(),
+                string("with " + fluxes + " fluxes a step")
             )
         }
     };

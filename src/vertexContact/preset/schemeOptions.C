@@ -95,10 +95,7 @@ Foam::schemeOptions::schemeOptions
 :
     schemeOptions(defaults)
 {
-    if (!fvSchemes.found("vertexCentred"))
-    {
-        return;
-    }
+    if (!fvSchemes.found("vertexCentred")) return;
 
     using namespace dictionaryCheck;
 
@@ -161,10 +158,7 @@ Foam::schemeOptions::schemeOptions
         stretchedWaves = (speed == waveSpeedNames[true]);
     }
 
-    if (reconstruction == reconstructionType::none)
-    {
-        limiter = limiterType::none;
-    }
+    if (reconstruction == reconstructionType::none) limiter = limiterType::none;
 }
 
 

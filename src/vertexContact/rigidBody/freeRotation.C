@@ -98,10 +98,7 @@ void Foam::freeRotation::turn
     aboutOwn(0, 0.5*deltaT);
 
     const scalar size = mag(L);
-    if (size > 0)
-    {
-        q = turned(L/size, deltaT*size/moments_.y())*q;
-    }
+    if (size > 0) q = turned(L/size, deltaT*size/moments_.y())*q;
     q /= mag(q);
 }
 

@@ -141,10 +141,7 @@ Foam::septernion Foam::obstacleMotion::poseAt(const scalar time)
 
 void Foam::obstacleMotion::setTime(const scalar time)
 {
-    if (!moves())
-    {
-        return;
-    }
+    if (!moves()) return;
 
     if (velocity_)
     {

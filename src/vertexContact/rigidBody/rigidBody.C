@@ -399,31 +399,21 @@ Foam::rigidBody::motionState Foam::rigidBody::contactAcceleration() const
 }
 
 
-Foam::rigidBody::motionState Foam::rigidBody::fullAcceleration() const
+Foam::rigidBody::motionState Foam::rigidBody::fullAcceleration
+(
+    const scalar lastStep
+)
 {
     motionState a(acceleration());
     const motionState c(contactAcceleration());
     a.velocity += c.velocity;
     a.spin += c.spin;
-    return a;
-}
-
-
-Foam::rigidBody::motionState Foam::rigidBody::heldAcceleration
-(
-    const scalar lastStep
-)
-{
-    motionState a;
     if (motion_.valid() && lastStep > 0)
     {
-        motion_->endOfStep(now_.time, lastStep, start_, a.velocity, a.spin);
-        a.velocity =
-            2/lastStep*(held() & (a.velocity - now_.P/mass_.mass));
-        a.spin =
-            rotation_ == freedom::none
-          ? vector(2/lastStep*(a.spin - now_.L))
-          : vector(Zero);
+        vector v, w;
+        motion_->endOfStep(now_.time, lastStep, start_, v, w);
+        a.velocity += 2/lastStep*(held() & (v - now_.P/mass_.mass));
+        if (rotation_ == freedom::none) a.spin += 2/lastStep*(w - now_.L);
     }
     return a;
 }
@@ -448,13 +438,7 @@ Foam::rigidBody::motionState Foam::rigidBody::freePart
     const motionState& v
 ) const
 {
-    return motionState
-    {
-        translation_ & v.velocity,
-        rotation_ == freedom::all ? v.spin
-      : rotation_ == freedom::axis ? vector((v.spin & axis_)*axis_)
-      : vector(vector::zero)
-    };
+    return motionState{translation_ & v.velocity, freeTwist(1, v.spin)};
 }
 
 
@@ -623,15 +607,9 @@ Foam::rigidBody::loadBalance Foam::rigidBody::balance() const
     const load all(total());
     const scalar perLength =
         std::sqrt(mass_.mass/max(tr(inertia_)/nDim_, VSMALL));
-    b.unbalanced = mag(translation_ & all.force);
-    if (rotation_ == freedom::all)
-    {
-        b.unbalanced += perLength*mag(all.moment);
-    }
-    else if (rotation_ == freedom::axis)
-    {
-        b.unbalanced += perLength*mag(all.moment & axis_);
-    }
+    b.unbalanced =
+        mag(translation_ & all.force)
+      + perLength*mag(freeTwist(1, all.moment));
     b.loads = mag(applied_.force) + mag(contact_.force);
     return b;
 }

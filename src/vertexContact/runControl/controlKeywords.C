@@ -14,7 +14,6 @@
 #include "massDamping.H"
 #include "kineticRelaxation.H"
 #include "Time.H"
-#include "Switch.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 

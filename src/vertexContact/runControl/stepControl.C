@@ -129,10 +129,7 @@ Foam::scalar Foam::stepControl::fitted(const scalar bound) const
     const scalar deltaT = min(bound, maxDeltaT());
     const scalar now = time_.value();
     const scalar remaining = nextFitted(now, deltaT) - now;
-    if (remaining <= 0)
-    {
-        return deltaT;
-    }
+    if (remaining <= 0) return deltaT;
     return remaining/max(scalar(1), wholeSteps::atLeast(remaining/deltaT));
 }
 

@@ -65,10 +65,7 @@ Foam::stopSignals::~stopSignals()
 Foam::stopSignals::request Foam::stopSignals::take()
 {
     const request asked = request(int(latest_));
-    if (asked != nothing)
-    {
-        latest_ = nothing;
-    }
+    if (asked != nothing) latest_ = nothing;
     return asked;
 }
 

@@ -41,10 +41,7 @@ void Foam::bodySurface::findSizes
         const scalar width = size > 1 ? meanEdge(X, size) : depth[start];
         leastWidth = min(leastWidth, width);
         reach = max(reach, width);
-        for (label j = 0; j < size; ++j)
-        {
-            reach = max(reach, mag(X[j] - centre));
-        }
+        for (label j = 0; j < size; ++j) reach = max(reach, mag(X[j] - centre));
     });
     reduce(leastWidth, minOp<scalar>());
     reduce(reach, maxOp<scalar>());
@@ -58,10 +55,7 @@ Foam::scalar Foam::bodySurface::meanEdge
 )
 {
     scalar around = 0;
-    for (label i = 0; i < size; ++i)
-    {
-        around += mag(x[(i + 1) % size] - x[i]);
-    }
+    for (label i = 0; i < size; ++i) around += mag(x[(i + 1) % size] - x[i]);
     return around/size;
 }
 

@@ -141,10 +141,7 @@ void Foam::directionConstraint::impose
             for (label m = first; m < k; ++m)
             {
                 scalar cosine = 0;
-                for (label j = 0; j < d; ++j)
-                {
-                    cosine += n[j]*normals_[m*d + j];
-                }
+                for (label j = 0; j < d; ++j) cosine += n[j]*normals_[m*d + j];
                 value -= cosine*along[m - first];
             }
             along[k - first] = value/ne;

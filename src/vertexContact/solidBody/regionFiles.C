@@ -120,10 +120,7 @@ Foam::dictionary Foam::regionFiles::material(const polyMesh& mesh)
         (
             readIfThere("solidProperties", runTime.constant(), runTime)
         );
-        if (shared.isDict(mesh.name()))
-        {
-            return shared.subDict(mesh.name());
-        }
+        if (shared.isDict(mesh.name())) return shared.subDict(mesh.name());
         if (shared.size())
         {
             FatalIOErrorInFunction(shared)

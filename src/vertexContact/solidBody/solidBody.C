@@ -140,10 +140,7 @@ void Foam::solidBody::makeCorners()
         hasContact = hasContact || bc.contact();
 
         // The variational scheme needs no states of a free surface
-        if (bc.tractionFree() && data_.variational)
-        {
-            continue;
-        }
+        if (bc.tractionFree() && data_.variational) continue;
 
         const dualPatch& patch = dual_.patches()[patchi];
         corners_.set
@@ -531,10 +528,7 @@ Foam::FixedList<Foam::label, 3> Foam::solidBody::allDirections() const
     for (label c = 0; c < 3; ++c)
     {
         bool used = false;
-        for (label i = 0; i < dual_.nDim(); ++i)
-        {
-            used = used || dir[i] == c;
-        }
+        for (label i = 0; i < dual_.nDim(); ++i) used = used || dir[i] == c;
         if (!used) dir[next++] = c;
     }
     return dir;
@@ -577,13 +571,6 @@ void Foam::solidBody::setGravity(const vector& g)
         gravity_[i] = g[dual_.directions()[i]];
     }
     if (rigid_.valid()) rigid_->setGravity(expand(gravity_.cdata()));
-}
-
-
-void Foam::solidBody::releaseMeshTables()
-{
-    // Not those of polyMesh: point fields refer to its mesh objects
-    mesh_.primitiveMesh::clearOut();
 }
 
 
@@ -777,10 +764,7 @@ Foam::scalar Foam::solidBody::timeScale(const bool anew)
     {
         return 1/(stepsPerTurn*mag(rigid_->presentSpin()) + 1/GREAT);
     }
-    if (waveSumIsConstant_)
-    {
-        return constantTimeScale_;
-    }
+    if (waveSumIsConstant_) return constantTimeScale_;
 
     scalar shortest = GREAT;
     if (data_.variational)
@@ -832,18 +816,6 @@ Foam::scalar Foam::solidBody::commitPlasticity()
         material_->plastic()
       ? material_->commit(data_.state, ownedVolume_)
       : 0;
-}
-
-
-void Foam::solidBody::keepPlasticity()
-{
-    keptPlasticity_.keep(data_.state);
-}
-
-
-void Foam::solidBody::restoreMomentum()
-{
-    data_.state.lm = data_.old.lm;
 }
 
 

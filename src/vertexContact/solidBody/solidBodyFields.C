@@ -59,16 +59,14 @@ void Foam::solidBody::visitFields(const Use& use) const
 
     use
     (
-        vector::zero,
-        "lm", dimDensity*dimVelocity,
+        vector::zero, "lm", dimDensity*dimVelocity,
         [&](const label a) { return expand(s.lm.cdata() + a*d); }
     );
     if (scheme_.valid() && d > 1)
     {
         use
         (
-            vector::zero,
-            "acceleration", dimAcceleration,
+            vector::zero, "acceleration", dimAcceleration,
             [&](const label a)
             {
                 return expand(scheme_->acceleration().cdata() + a*d);
@@ -77,31 +75,25 @@ void Foam::solidBody::visitFields(const Use& use) const
     }
     use
     (
-        vector::zero,
-        "pointD", dimLength,
+        vector::zero, "pointD", dimLength,
         [&](const label a) { return expand(s.disp.cdata() + a*d); }
     );
     use
     (
-        tensor::zero,
-        "F", dimless,
+        tensor::zero, "F", dimless,
         [&](const label a) { return deformationGradient(a); }
     );
     if (s.solvesH)
     {
         use
         (
-            tensor::zero,
-            "H", dimless,
+            tensor::zero, "H", dimless,
             [&](const label a)
             {
                 tensor H(Zero);
                 if (d == 3)
                 {
-                    for (label k = 0; k < 9; ++k)
-                    {
-                        H[k] = s.H[9*a + placeH(k)];
-                    }
+                    for (label k = 0; k < 9; ++k) H[k] = s.H[9*a + placeH(k)];
                 }
                 else
                 {
@@ -124,16 +116,14 @@ void Foam::solidBody::visitFields(const Use& use) const
     {
         use
         (
-            scalar(0),
-            "J", dimless, [&](const label a) { return s.J[a]; }
+            scalar(0), "J", dimless, [&](const label a) { return s.J[a]; }
         );
     }
     else if (data_.variational && data_.finiteStrain)
     {
         use
         (
-            scalar(0),
-            "J", dimless,
+            scalar(0), "J", dimless,
             [&](const label a) { return det(deformationGradient(a)); }
         );
     }
@@ -142,8 +132,7 @@ void Foam::solidBody::visitFields(const Use& use) const
     {
         use
         (
-            tensor::zero,
-            "F0", dimless,
+            tensor::zero, "F0", dimless,
             [&](const label a)
             {
                 return inSpace(material_->initial().value(a));
@@ -155,8 +144,7 @@ void Foam::solidBody::visitFields(const Use& use) const
     {
         use
         (
-            symmTensor::zero,
-            "CpInv", dimless,
+            symmTensor::zero, "CpInv", dimless,
             [&](const label a)
             {
                 const scalar* p = s.Cpi.cdata() + a*s.strideCpi;
@@ -173,16 +161,14 @@ void Foam::solidBody::visitFields(const Use& use) const
         );
         use
         (
-            scalar(0),
-            "epsilonPEq", dimless,
+            scalar(0), "epsilonPEq", dimless,
             [&](const label a) { return s.epsilonPEq[a]; }
         );
         if (material_->initialTemperature() > 0)
         {
             use
             (
-                scalar(0),
-                "pointT", dimTemperature,
+                scalar(0), "pointT", dimTemperature,
                 [&](const label a) { return s.temperature[a]; }
             );
         }
@@ -190,14 +176,12 @@ void Foam::solidBody::visitFields(const Use& use) const
 
     use
     (
-        symmTensor::zero,
-        "sigma", dimPressure,
+        symmTensor::zero, "sigma", dimPressure,
         [&](const label a) { return CauchyStress(a); }
     );
     use
     (
-        scalar(0),
-        "sigmaEq", dimPressure,
+        scalar(0), "sigmaEq", dimPressure,
         [&](const label a)
         {
             return std::sqrt(1.5*magSqr(dev(CauchyStress(a))));
@@ -205,8 +189,7 @@ void Foam::solidBody::visitFields(const Use& use) const
     );
     use
     (
-        scalar(0),
-        "pressure", dimPressure,
+        scalar(0), "pressure", dimPressure,
         [&](const label a) { return 0 - tr(CauchyStress(a))/3; }
     );
 }
@@ -229,14 +212,12 @@ void Foam::solidBody::visitContactFields(const Use& use) const
 
         use
         (
-            scalar(0),
-            "contactStatus", dimless,
+            scalar(0), "contactStatus", dimless,
             [&](const label a) { return contact_.status[a]; }
         );
         use
         (
-            vector::zero,
-            "contactTraction", dimPressure,
+            vector::zero, "contactTraction", dimPressure,
             [&](const label a)
             {
                 return area[a] > 0 ? force[a]/area[a] : vector(Zero);
@@ -244,8 +225,7 @@ void Foam::solidBody::visitContactFields(const Use& use) const
         );
         use
         (
-            scalar(0),
-            "contactGap", dimLength,
+            scalar(0), "contactGap", dimLength,
             [&](const label a)
             {
                 return gap[a] < bodyContact::far ? gap[a] : 0;
@@ -255,8 +235,7 @@ void Foam::solidBody::visitContactFields(const Use& use) const
         {
             use
             (
-                vector::zero,
-                "contactSlide", dimLength,
+                vector::zero, "contactSlide", dimLength,
                 [&](const label a) { return contact_.slide.ways()[a]; }
             );
         }

@@ -102,10 +102,7 @@ Foam::label Foam::solidBody::findBadNode() const
 
 Foam::scalar Foam::solidBody::kineticEnergy() const
 {
-    if (rigid_.valid())
-    {
-        return rigid_->kineticEnergy(lastStep_, evaluated_);
-    }
+    if (rigid_.valid()) return rigid_->kineticEnergy(lastStep_, evaluated_);
     scalar sum = 0;
     withDirections(dual_.nDim(), [&](auto D)
     {

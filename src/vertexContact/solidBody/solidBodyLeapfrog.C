@@ -11,7 +11,6 @@ Description
 
 #include "solidBody.H"
 #include "solidBoundaryCondition.H"
-#include "prescribedMotion.H"
 #include "passTimes.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //

@@ -282,34 +282,20 @@ void Foam::solidBody::readState()
           ? readIfPresent<scalar>("J", dimless)
           : autoPtr<pointScalarField>();
 
+        const label out = d == 2 ? 3 - dir[0] - dir[1] : 0;
         for (label a = 0; a < n; ++a)
         {
-            const scalar* Fs = s.F.cdata();
-            if (s.solvesH && d == 3)
+            findKinematics(a);
+            if (H.valid())
             {
-                const SolidTensor<3> G = cofactor(loadF<3>(Fs, a));
-                for (label k = 0; k < 9; ++k)
+                const tensor& given = H().primitiveField()[point[a]];
+                if (d == 2) s.H[a] = given[4*out];
+                for (label k = 0; d == 3 && k < 9; ++k)
                 {
-                    s.H[9*a + placeH(k)] =
-                        H.valid() ? H().primitiveField()[point[a]][k]
-                      : G.in[k];
+                    s.H[9*a + placeH(k)] = given[k];
                 }
             }
-            else if (s.solvesH)
-            {
-                const label out = 3 - dir[0] - dir[1];
-                s.H[a] =
-                    H.valid() ? H().primitiveField()[point[a]][4*out]
-                  : determinant(loadF<2>(Fs, a));
-            }
-            if (s.solvesJ)
-            {
-                s.J[a] =
-                    J.valid() ? J().primitiveField()[point[a]]
-                  : d == 1 ? determinant(loadF<1>(Fs, a))
-                  : d == 2 ? determinant(loadF<2>(Fs, a))
-                  : determinant(loadF<3>(Fs, a));
-            }
+            if (J.valid()) s.J[a] = J().primitiveField()[point[a]];
         }
     }
     else if (D.valid())
@@ -402,10 +388,7 @@ void Foam::solidBody::readPlasticState(const bool undeformed)
             scalar* p = s.Cpi.data() + a*s.strideCpi;
             for (label i = 0; i < d; ++i)
             {
-                for (label j = i; j < d; ++j)
-                {
-                    *p++ = full[3*dir[i] + dir[j]];
-                }
+                for (label j = i; j < d; ++j) *p++ = full[3*dir[i] + dir[j]];
             }
             if (d < 3) *p = full[4*out];
         }
@@ -467,27 +450,27 @@ void Foam::solidBody::deformationFromDisplacement()
                 s.F[(a*d + i)*d + j] += grad[j*data_.strideG + i];
             }
         }
-
-        const scalar* F = s.F.cdata();
-        if (d == 3)
-        {
-            const SolidTensor<3> H = cofactor(loadF<3>(F, a));
-            for (label k = 0; k < s.strideH; ++k)
-            {
-                s.H[9*a + placeH(k)] = H.in[k];
-            }
-            if (s.solvesJ) s.J[a] = determinant(loadF<3>(F, a), H);
-        }
-        else if (d == 2)
-        {
-            if (s.solvesH) s.H[a] = determinant(loadF<2>(F, a));
-            if (s.solvesJ) s.J[a] = determinant(loadF<2>(F, a));
-        }
-        else if (s.solvesJ)
-        {
-            s.J[a] = determinant(loadF<1>(F, a));
-        }
+        findKinematics(a);
     }
 }
+
+
+void Foam::solidBody::findKinematics(const label node)
+{
+    conservedState& s = data_.state;
+    withDirections(s.nDim, [&](auto D)
+    {
+        const SolidTensor<D.value> F = loadF<D.value>(s.F.cdata(), node);
+        const SolidTensor<D.value> H = cofactor(F);
+        const scalar J = determinant(F, H);
+        for (label k = 0; D.value == 3 && k < s.strideH; ++k)
+        {
+            s.H[9*node + placeH(k)] = H.in[k];
+        }
+        if (D.value == 2 && s.solvesH) s.H[node] = J;
+        if (s.solvesJ) s.J[node] = J;
+    });
+}
+
 
 // ************************************************************************* //

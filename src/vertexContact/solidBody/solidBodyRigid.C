@@ -12,7 +12,6 @@ Description
 
 #include "solidBody.H"
 #include "solidBoundaryCondition.H"
-#include "dictionaryCheck.H"
 #include "fileError.H"
 #include "regionFiles.H"
 #include "Time.H"
@@ -286,13 +285,10 @@ void Foam::solidBody::placeAll() const
     const tensor R(rigid_->rotation());
     const rigidBody::motionState v(rigid_->motion(lastStep_));
     const rigidBody::motionState now{v.velocity, rigid_->presentSpin()};
-    rigidBody::motionState rate(rigid_->fullAcceleration());
-    const rigidBody::motionState held
+    const rigidBody::motionState rate
     (
-        self.rigid_->heldAcceleration(lastStep_)
+        self.rigid_->fullAcceleration(lastStep_)
     );
-    rate.velocity += held.velocity;
-    rate.spin += held.spin;
     for (label a = 0; a < dual_.nNodes(); ++a)
     {
         self.placeNode(a, R, rigid_->shift(), v);
@@ -395,12 +391,6 @@ void Foam::solidBody::readRigid(const dictionary& record)
     if (!rigid_.valid()) return;
     if (record.size()) rigid_->read(record);
     placeAll();
-}
-
-
-void Foam::solidBody::writeRigid(Ostream& os) const
-{
-    if (rigid_.valid()) rigid_->write(os);
 }
 
 

@@ -27,24 +27,20 @@ void Foam::solidBody::freePart(const label node, scalar* p) const
 }
 
 
-Foam::scalar Foam::solidBody::dampingPower
-(
-    const scalarField& velocity,
-    const scalar coefficient
-) const
+Foam::scalar Foam::solidBody::freeSquare(const scalarField& p) const
 {
     const label d = dual_.nDim();
     scalar sum = 0;
     for (label a = 0; a < dual_.nNodes(); ++a)
     {
-        scalar v[3];
-        for (label i = 0; i < d; ++i) v[i] = velocity[a*d + i];
-        freePart(a, v);
-        scalar vv = 0;
-        for (label i = 0; i < d; ++i) vv += v[i]*v[i];
-        sum += ownedVolume_[a]*vv;
+        scalar its[3];
+        for (label i = 0; i < d; ++i) its[i] = p[a*d + i];
+        freePart(a, its);
+        scalar square = 0;
+        for (label i = 0; i < d; ++i) square += its[i]*its[i];
+        sum += ownedVolume_[a]*square;
     }
-    return coefficient*data_.rho*sum;
+    return sum;
 }
 
 
@@ -138,18 +134,7 @@ void Foam::solidBody::setDamping(const dictionary& dict)
 Foam::scalar Foam::solidBody::freeKineticEnergy() const
 {
     if (rigid_.valid()) return rigid_->freeKineticEnergy();
-    const label d = dual_.nDim();
-    scalar sum = 0;
-    for (label a = 0; a < dual_.nNodes(); ++a)
-    {
-        scalar lm[3];
-        for (label i = 0; i < d; ++i) lm[i] = data_.state.lm[a*d + i];
-        freePart(a, lm);
-        scalar square = 0;
-        for (label i = 0; i < d; ++i) square += lm[i]*lm[i];
-        sum += ownedVolume_[a]*square;
-    }
-    return 0.5*sum/data_.rho;
+    return 0.5*freeSquare(data_.state.lm)/data_.rho;
 }
 
 
@@ -158,7 +143,7 @@ Foam::scalar Foam::solidBody::heldKineticEnergy() const
     if (rigid_.valid()) return rigid_->heldKineticEnergy();
     const label d = dual_.nDim();
     scalar sum = 0;
-    const auto add = [&](const label a)
+    for (const label a : held_.nodes())
     {
         scalar lm[3], held[3];
         for (label i = 0; i < d; ++i) held[i] = lm[i] = data_.state.lm[a*d + i];
@@ -167,8 +152,7 @@ Foam::scalar Foam::solidBody::heldKineticEnergy() const
         {
             sum += ownedVolume_[a]*sqr(held[i] - lm[i]);
         }
-    };
-    for (const label a : held_.nodes()) add(a);
+    }
     return 0.5*sum/data_.rho;
 }
 

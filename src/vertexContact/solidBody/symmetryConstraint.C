@@ -28,10 +28,7 @@ void Foam::symmetryConstraint::symmetrise
     {
         for (label k = 0; k < size; ++k)
         {
-            if ((k/stride) % d != 0)
-            {
-                continue;
-            }
+            if ((k/stride) % d != 0) continue;
             scalar along = 0;
             for (label i = 0; i < d; ++i) along += n[i]*mirror[k + i*stride];
             for (label i = 0; i < d; ++i)
@@ -144,10 +141,7 @@ Foam::symmetryConstraint::symmetryConstraint
             scalar magS = 0;
             for (label j = 0; j < d; ++j) magS += sqr(areas[i][a*d + j]);
             magS = std::sqrt(magS);
-            if (magS < VSMALL)
-            {
-                continue;
-            }
+            if (magS < VSMALL) continue;
             for (label j = 0; j < d; ++j) n[j] = areas[i][a*d + j]/magS;
             const FixedList<scalar, 3> its(n);
 
@@ -179,39 +173,6 @@ Foam::symmetryConstraint::symmetryConstraint
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-bool Foam::symmetryConstraint::commonNormal(vector& normal) const
-{
-    // The first of any processor, and the largest deviation from it
-    normal = vector(Zero);
-    if (active())
-    {
-        for (label i = 0; i < nDim_; ++i) normal[i] = normals_[i];
-    }
-    List<vector> all(Pstream::nProcs());
-    all[Pstream::myProcNo()] = normal;
-    Pstream::gatherList(all);
-    Pstream::scatterList(all);
-    for (const vector& n : all)
-    {
-        if (magSqr(n) > 0)
-        {
-            normal = n;
-            break;
-        }
-    }
-
-    bool common = magSqr(normal) > 0;
-    for (label k = 0; k < normals_.size(); k += nDim_)
-    {
-        scalar along = 0;
-        for (label i = 0; i < nDim_; ++i) along += normal[i]*normals_[k + i];
-        common = common && mag(mag(along) - 1) < onePlane;
-    }
-    reduce(common, andOp<bool>());
-    return common;
-}
-
-
 void Foam::symmetryConstraint::projectEdges
 (
     const medianDual& dual,
@@ -229,10 +190,7 @@ void Foam::symmetryConstraint::projectEdges
     for (label e = 0; e < dual.nEdges(); ++e)
     {
         const label a = dual.edgeNodes()[2*e], b = dual.edgeNodes()[2*e + 1];
-        if (place[a] < 0 || place[b] < 0)
-        {
-            continue;
-        }
+        if (place[a] < 0 || place[b] < 0) continue;
 
         scalar rr = 0;
         for (label j = 0; j < d; ++j) rr += sqr(X[b*d + j] - X[a*d + j]);
@@ -251,10 +209,7 @@ void Foam::symmetryConstraint::projectEdges
             for (label m = start_[place[b]]; m < start_[place[b] + 1]; ++m)
             {
                 scalar cosine = 0;
-                for (label j = 0; j < d; ++j)
-                {
-                    cosine += n[j]*normals_[m*d + j];
-                }
+                for (label j = 0; j < d; ++j) cosine += n[j]*normals_[m*d + j];
                 shared = shared || mag(cosine) > 1 - oneMirror;
             }
             if (shared && sqr(along) < inMirror*rr)

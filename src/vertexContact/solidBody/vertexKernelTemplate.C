@@ -237,10 +237,7 @@ scalar vertexKernelTemplate<D, nSJ, R, finite>::boundaryFluxLoop
     const cornerStates* c
 )
 {
-    if (!c && !full && !energy)
-    {
-        return 0;
-    }
+    if (!c && !full && !energy) return 0;
 
     const FixedList<label, 3>& dir = d.dual.directions();
     const scalar* V = d.dual.nodeVolume().cdata();

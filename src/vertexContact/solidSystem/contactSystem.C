@@ -45,10 +45,7 @@ void Foam::contactSystem::solve(const scalar time, const bool firstStage)
     }
     if (firstStage)
     {
-        for (solidBody& body : bodies_)
-        {
-            body.contact().status = Zero;
-        }
+        for (solidBody& body : bodies_) body.contact().status = Zero;
     }
     for (contactInterface& contact : interfaces_)
     {

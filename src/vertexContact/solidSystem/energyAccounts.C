@@ -13,22 +13,28 @@ namespace
 
 using namespace Foam;
 
-//- Entry of the record and member of the accounts
+//- Entry of the record, member of the accounts, and of the energies
 struct accountEntry
 {
     const char* name;
     scalar solidBody::powers::*value;
+    scalar bodyEnergies::*energy;
 };
+
+#define accountOf(name, value)                                               \
+    { #name, &solidBody::powers::value, &bodyEnergies::name }
 
 constexpr accountEntry accountEntries[] =
 {
-    {"numericalDissipation", &solidBody::powers::numericalDissipation},
-    {"plasticDissipation", &solidBody::powers::plastic},
-    {"externalWork", &solidBody::powers::external},
-    {"contactWork", &solidBody::powers::contact},
-    {"dampingDissipation", &solidBody::powers::damping},
-    {"relaxationDissipation", &solidBody::powers::relaxation}
+    accountOf(numericalDissipation, numericalDissipation),
+    accountOf(plasticDissipation, plastic),
+    accountOf(externalWork, external),
+    accountOf(contactWork, contact),
+    accountOf(dampingDissipation, damping),
+    accountOf(relaxationDissipation, relaxation)
 };
+
+#undef accountOf
 
 } // End anonymous namespace
 
@@ -40,13 +46,8 @@ void Foam::bodyEnergies::operator+=(const bodyEnergies& e)
     kinetic += e.kinetic;
     swing += e.swing;
     strain += e.strain;
-    plasticDissipation += e.plasticDissipation;
-    numericalDissipation += e.numericalDissipation;
-    externalWork += e.externalWork;
-    contactWork += e.contactWork;
-    dampingDissipation += e.dampingDissipation;
-    relaxationDissipation += e.relaxationDissipation;
     balance += e.balance;
+    for (const accountEntry& a : accountEntries) this->*a.energy += e.*a.energy;
 }
 
 
@@ -66,10 +67,7 @@ Foam::scalarList Foam::energyAccounts::sums() const
         *sum++ = body.kineticEnergy();
         *sum++ = leapfrog_ ? body.swing() : 0;
         *sum++ = body.strainEnergy();
-        for (const accountEntry& a : accountEntries)
-        {
-            *sum++ = account.*a.value;
-        }
+        for (const accountEntry& a : accountEntries) *sum++ = account.*a.value;
     }
     Pstream::listCombineGather(all, plusEqOp<scalar>());
     Pstream::listCombineScatter(all);
@@ -156,15 +154,10 @@ Foam::List<Foam::bodyEnergies> Foam::energyAccounts::compute
     {
         const scalar* sum = sums.cdata() + nSums*i;
         bodyEnergies& e = all[i];
-        e.kinetic = sum[0];
-        e.swing = sum[1];
-        e.strain = sum[2];
-        e.numericalDissipation = sum[3];
-        e.plasticDissipation = sum[4];
-        e.externalWork = sum[5];
-        e.contactWork = sum[6];
-        e.dampingDissipation = sum[7];
-        e.relaxationDissipation = sum[8];
+        e.kinetic = *sum++;
+        e.swing = *sum++;
+        e.strain = *sum++;
+        for (const accountEntry& a : accountEntries) e.*a.energy = *sum++;
         e.balance =
             e.kept() - initial_[i] + e.numericalDissipation
           + e.plasticDissipation + e.dampingDissipation

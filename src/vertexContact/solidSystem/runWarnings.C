@@ -36,10 +36,7 @@ void Foam::runWarnings::checkDeformations
         scalar& largest = largestGradient_[i];
         const bool warned = largest > leavesSmall;
         largest = max(largest, bodies[i].largestGradient());
-        if (bodies[i].data().finiteStrain || warned)
-        {
-            continue;
-        }
+        if (bodies[i].data().finiteStrain || warned) continue;
         reduce(largest, maxOp<scalar>());
         if (largest > leavesSmall)
         {
@@ -48,8 +45,8 @@ void Foam::runWarnings::checkDeformations
                 << largest << ", but " << bodies[i].material().type()
                 << " is a law of small strains and rotations, whose stress is "
                 << "then wrong by about as much." << nl
-                << "    A step with neoHookean takes about 1.25 times as long "
-                << "(tests/benchmark/features.md)." << endl;
+                << "    neoHookean is one of large strains; what a step costs "
+                << "more: tests/benchmark/features.md." << endl;
         }
     }
 }
@@ -122,10 +119,7 @@ void Foam::runWarnings::reportLaws
     forAll(bodies, i)
     {
         const solidBody& body = bodies[i];
-        if (!body.data().finiteStrain || body.rigid())
-        {
-            continue;
-        }
+        if (!body.data().finiteStrain || body.rigid()) continue;
         if (body.material().plastic())
         {
             const scalar flow = returnReduce
@@ -135,8 +129,8 @@ void Foam::runWarnings::reportLaws
             if (flow == 0)
             {
                 os  << "Region " << body.name() << " has not yielded: a step "
-                    << "with neoHookean takes about 0.85 of the time of one "
-                    << "with " << body.material().type() << nl << nl;
+                    << "with neoHookean takes less time than one with "
+                    << body.material().type() << nl << nl;
             }
             continue;
         }
@@ -146,8 +140,8 @@ void Foam::runWarnings::reportLaws
         {
             os  << "Region " << body.name() << ": |F - I| stayed below "
                 << largest << " where it was logged. linearElastic, whose "
-                << "stress differs by about as much, takes about 0.8 of the "
-                << "time of " << body.material().type() << nl << nl;
+                << "stress differs by about as much, takes less time than "
+                << body.material().type() << nl << nl;
         }
     }
 }

@@ -51,12 +51,7 @@ void Foam::solidSystem::evaluateForces(const scalar time, const bool moved)
     }
 
     // Contact is solved with the velocities that all other forces make
-    for (solidBody& body : bodies_)
-    {
-        body.prepare(time, true, bound_.due());
-        body.computeFluxes(accounts_.on());
-        body.finishRates(time, accounts_.on());
-    }
+    forAll(bodies_, i) evaluateBody(i, time, bound_.due());
 
     // Here: paired after this evaluation, the bodies were evaluated again
     if (moved) contacts_.pairMoved(time);
@@ -121,10 +116,7 @@ void Foam::solidSystem::leap(const scalar time)
     evaluateForces(time, true);
 
     label nBad = 0;
-    for (const solidBody& body : bodies_)
-    {
-        nBad += body.nBad();
-    }
+    for (const solidBody& body : bodies_) nBad += body.nBad();
     settle(nBad);
 }
 

@@ -6,7 +6,6 @@
 
 #include "solidSystem.H"
 #include "passTimes.H"
-#include "dictionaryCheck.H"
 #include "writtenTimes.H"
 #include "IOdictionary.H"
 #include "IStringStream.H"
@@ -18,10 +17,7 @@
 
 void Foam::solidSystem::log()
 {
-    if (!control_.logs(done_.steps, runTime_.value()))
-    {
-        return;
-    }
+    if (!control_.logs(done_.steps, runTime_.value())) return;
 
     warnings_.checkDeformations(bodies_);
 

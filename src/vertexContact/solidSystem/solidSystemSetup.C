@@ -153,16 +153,10 @@ Foam::dictionary Foam::solidSystem::readRecord()
         "solidSystem", runTime_.timeName(), "uniform", runTime_,
         IOobject::MUST_READ, IOobject::NO_WRITE, false
     );
-    if (!dictionaryCheck::isThere<IOdictionary>(io))
-    {
-        return dictionary();
-    }
+    if (!dictionaryCheck::isThere<IOdictionary>(io)) return dictionary();
     const IOdictionary record(io);
     const scalar exact = record.get<scalar>("time");
-    if (runTime_.timeName(exact) != runTime_.timeName())
-    {
-        return dictionary();
-    }
+    if (runTime_.timeName(exact) != runTime_.timeName()) return dictionary();
     runTime_.setTime(exact, runTime_.timeIndex());
     return record;
 }

@@ -57,10 +57,7 @@ Foam::string Foam::solidSystem::firstOf(const string& message)
     Pstream::scatterList(all);
     for (const string& s : all)
     {
-        if (s.size())
-        {
-            return s;
-        }
+        if (s.size()) return s;
     }
     return message;
 }
@@ -80,10 +77,7 @@ void Foam::solidSystem::checkTimeStep()
             )
         );
     }
-    if (timeStepLimit_ >= leastTimeStep_)
-    {
-        return;
-    }
+    if (timeStepLimit_ >= leastTimeStep_) return;
     const string what = firstOf
     (
         describeHere

@@ -32,10 +32,7 @@ Foam::scalar Foam::solidSystem::stableStep()
         // It takes the shortest step of all
         if (bodies_[i].rigid()) bodyStep_[i] = shortest;
     }
-    if (ratios_->active())
-    {
-        return stableCommonStep();
-    }
+    if (ratios_->active()) return stableCommonStep();
     if (integrator_.leapfrog())
     {
         // Surfaces that meet come no closer in a step than edges do

@@ -254,10 +254,7 @@ void Foam::solidSystem::leapInBlocks(const scalar time)
                 nBad += bodies_[i].nBad();
             }
             if (begins && length[i] > 1) bodies_[i].startBlock();
-            if (length[i] > 1)
-            {
-                afters[i] = ahead + (j % length[i])*kick;
-            }
+            if (length[i] > 1) afters[i] = ahead + (j % length[i])*kick;
         }
         if (j)
         {
@@ -313,10 +310,7 @@ void Foam::solidSystem::leapInBlocks(const scalar time)
     {
         bound_.pass(deltaT);
         evaluateForces(time, true);
-        for (const solidBody& body : bodies_)
-        {
-            nBad += body.nBad();
-        }
+        for (const solidBody& body : bodies_) nBad += body.nBad();
     }
     settle(nBad);
 }

@@ -20,6 +20,22 @@ namespace
 //  measured (tests/robustness/stability.md)
 constexpr Foam::scalar fastImpact = 0.7;
 
+//- Names of the integrators that a condition holds for
+template<class Condition>
+Foam::string integrators(const Condition& holds)
+{
+    using namespace Foam;
+    wordList valid;
+    for (const word& name : timeIntegrator::names.toc())
+    {
+        if (holds(timeIntegrator(timeIntegrator::names[name])))
+        {
+            valid.append(name);
+        }
+    }
+    return dictionaryCheck::listed(valid);
+}
+
 } // End anonymous namespace
 
 
@@ -162,10 +178,10 @@ void Foam::systemChecks::integrator
                 << timeIntegrator::names[integrator.type()]
                 << " does not go with preset " << preset::names[given.name]
                 << ". Valid integrators for it: "
-                << (
-                       body.variational()
-                     ? "(leapfrog)" : "(TVDRK2 TVDRK3 symplecticEuler)"
-                   )
+                << integrators([&](const timeIntegrator& its)
+                   {
+                       return its.leapfrog() == body.variational();
+                   }).c_str()
                 << exit(FatalIOError);
         }
     }
@@ -179,7 +195,12 @@ void Foam::systemChecks::integrator
                 << "Keyword 'timeIntegrator': symplecticEuler goes with "
                 << "'reconstruction' linear or none, but region '"
                 << body.name() << "' has full (fvSchemes). Valid integrators "
-                << "for full: (TVDRK2 TVDRK3)" << exit(FatalIOError);
+                << "for full: "
+                << integrators([](const timeIntegrator& its)
+                   {
+                       return !its.leapfrog() && !its.split();
+                   }).c_str()
+                << exit(FatalIOError);
         }
     }
 }

@@ -10,23 +10,17 @@
 
 const Foam::Enum<Foam::integratorType> Foam::timeIntegrator::names
 ({
-    { integratorType::TVDRK2, "TVDRK2" },
-    { integratorType::TVDRK3, "TVDRK3" },
-    { integratorType::symplecticEuler, "symplecticEuler" },
-    { integratorType::leapfrog, "leapfrog" },
+    #define integratorWord(name, ...) { integratorType::name, #name },
+    forAllIntegrators(integratorWord)
+    #undef integratorWord
 });
 
 
 const Foam::timeIntegrator::coefficients Foam::timeIntegrator::all_[] =
 {
-    // stages, split, leapfrog, weights of the old state, instants, shares
-    {2, false, false, {0, 0.5}, {0, 1, 1}, {0.5, 0.5}},
-    {
-        3, false, false, {0, 0.75, 1.0/3}, {0, 1, 0.5, 1},
-        {1.0/6, 1.0/6, 2.0/3}
-    },
-    {1, true, false, {0}, {0, 1}, {1}},
-    {1, false, true, {0}, {0, 1}, {1}}
+    #define integratorRow(name, ...) { __VA_ARGS__ },
+    forAllIntegrators(integratorRow)
+    #undef integratorRow
 };
 
 

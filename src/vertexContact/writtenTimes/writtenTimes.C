@@ -22,10 +22,7 @@ using namespace Foam;
 bool incomplete(const fileName& time)
 {
     const fileName record(time/"uniform"/"solidSystem");
-    if (isFile(record))
-    {
-        return !writtenTimes::ends(record);
-    }
+    if (isFile(record)) return !writtenTimes::ends(record);
     for (const fileName& folder : readDir(time, fileName::DIRECTORY))
     {
         if (folder != "uniform") return false;
@@ -113,10 +110,7 @@ bool Foam::writtenTimes::ends(const fileName& file)
     constexpr std::streamoff enough = 100;
 
     IFstream is(file);
-    if (!is.good())
-    {
-        return false;
-    }
+    if (!is.good()) return false;
     std::istream& in = is.stdStream();
     std::string tail;
     if (!isFile(file, false))

@@ -10,6 +10,46 @@
 
 #include <cmath>
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- Weight vectors of all boundary faces: f(node of the corner, other node of
+//  the face, weight vector of the other's value at the corner)
+template<class Function>
+void forWeights(const medianDual& dual, const Function& f)
+{
+    for (const dualPatch& patch : dual.patches())
+    {
+        for (label facei = 0; facei < patch.nFaces(); ++facei)
+        {
+            const label start = patch.faceStart[facei];
+            const label n = patch.faceStart[facei + 1] - start;
+            const scalar* w =
+                patch.weightVectors.cdata()
+              + patch.weightStart[facei]*dual.nDim();
+
+            for (label a = 0; a < n; ++a)
+            {
+                for (label j = 0; j < n; ++j, w += dual.nDim())
+                {
+                    f
+                    (
+                        patch.cornerNode[start + a],
+                        patch.cornerNode[start + j], w
+                    );
+                }
+            }
+        }
+    }
+}
+
+} // End anonymous namespace
+
+
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
 Foam::scalar Foam::dualChecks::volume(const medianDual& dual)
@@ -31,31 +71,13 @@ Foam::scalar Foam::dualChecks::boundaryVolume(const medianDual& dual)
 {
     const label d = dual.nDim();
     scalar sum = 0;
-
-    for (const dualPatch& patch : dual.patches())
+    forWeights(dual, [&](const label, const label node, const scalar* w)
     {
-        for (label facei = 0; facei < patch.nFaces(); ++facei)
+        for (label k = 0; k < d; ++k)
         {
-            const label n = patch.faceStart[facei + 1] - patch.faceStart[facei];
-
-            for (label a = 0; a < n; ++a)
-            {
-                for (label j = 0; j < n; ++j)
-                {
-                    const label node =
-                        patch.cornerNode[patch.faceStart[facei] + j];
-                    const label weighti = patch.weightStart[facei] + a*n + j;
-
-                    for (label k = 0; k < d; ++k)
-                    {
-                        sum +=
-                            dual.nodePosition()[node*d + k]
-                           *patch.weightVectors[weighti*d + k]/d;
-                    }
-                }
-            }
+            sum += dual.nodePosition()[node*d + k]*w[k]/d;
         }
-    }
+    });
 
     return returnReduce(sum, sumOp<scalar>());
 }
@@ -83,29 +105,10 @@ Foam::scalar Foam::dualChecks::gap(const medianDual& dual)
         }
     }
 
-    for (const dualPatch& patch : dual.patches())
+    forWeights(dual, [&](const label node, const label, const scalar* w)
     {
-        for (label facei = 0; facei < patch.nFaces(); ++facei)
-        {
-            const label start = patch.faceStart[facei];
-            const label n = patch.faceStart[facei + 1] - start;
-
-            for (label a = 0; a < n; ++a)
-            {
-                const label node = patch.cornerNode[start + a];
-
-                for (label j = 0; j < n; ++j)
-                {
-                    const label weighti = patch.weightStart[facei] + a*n + j;
-
-                    for (label k = 0; k < d; ++k)
-                    {
-                        sum[node*d + k] += patch.weightVectors[weighti*d + k];
-                    }
-                }
-            }
-        }
-    }
+        for (label k = 0; k < d; ++k) sum[node*d + k] += w[k];
+    });
 
     dual.sharing().sum({{sum.data(), d}, {area.data(), 1}});
 
@@ -171,35 +174,16 @@ Foam::scalarField Foam::dualChecks::gradient(const medianDual& dual)
         }
     }
 
-    for (const dualPatch& patch : dual.patches())
+    forWeights(dual, [&](const label node, const label other, const scalar* w)
     {
-        for (label facei = 0; facei < patch.nFaces(); ++facei)
+        for (label i = 0; i < d; ++i)
         {
-            const label start = patch.faceStart[facei];
-            const label n = patch.faceStart[facei + 1] - start;
-
-            for (label a = 0; a < n; ++a)
+            for (label j = 0; j < d; ++j)
             {
-                const label node = patch.cornerNode[start + a];
-
-                for (label b = 0; b < n; ++b)
-                {
-                    const label other = patch.cornerNode[start + b];
-                    const label weighti = patch.weightStart[facei] + a*n + b;
-
-                    for (label i = 0; i < d; ++i)
-                    {
-                        for (label j = 0; j < d; ++j)
-                        {
-                            result[(node*d + i)*d + j] +=
-                                v[other*d + i]
-                               *patch.weightVectors[weighti*d + j];
-                        }
-                    }
-                }
+                result[(node*d + i)*d + j] += v[other*d + i]*w[j];
             }
         }
-    }
+    });
 
     dual.sharing().sum(result.data(), d*d);
 

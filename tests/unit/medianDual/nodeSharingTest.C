@@ -483,7 +483,7 @@ TEST_CASE("nothing is shared in a serial run", "[nodeSharing][serial]")
 
     scalarField values(dual.nNodes(), scalar(1));
     dual.sharing().sum(values.data(), 1);
-    dual.sharing().min({{values.data(), 1}});
+    dual.sharing().min(values.data(), 1);
     CHECK(values[0] == 1);
 }
 

@@ -37,17 +37,7 @@ Foam::autoPtr<Foam::bodyForce> Foam::bodyForce::New
 {
     const word forceType(dict.get<word>("type"));
 
-    vertexContactLookupConstructor(bodyForce, dictionary, forceType)
-
-    if (!constructorFound)
-    {
-        dictionaryCheck::unknownModel
-        (
-            dict, "type", forceType,
-            dictionaryConstructorTablePtr_->sortedToc()
-        );
-    }
-
+    findListedModel(bodyForce, dict, "type", forceType)
     return constructorPtr(dict, dual, material);
 }
 
@@ -62,10 +52,7 @@ Foam::PtrList<Foam::bodyForce> Foam::bodyForce::readAll
     PtrList<bodyForce> all;
     for (const entry& e : forces)
     {
-        if (e.keyword() == "FoamFile")
-        {
-            continue;
-        }
+        if (e.keyword() == "FoamFile") continue;
         if (!e.isDict())
         {
             FatalIOErrorInFunction(forces)

@@ -26,7 +26,7 @@ namespace Foam
 
 class contactBoundary
 :
-    public boundaryLaw
+    public solidBoundaryCondition
 {
 public:
 
@@ -34,7 +34,7 @@ public:
 
     explicit contactBoundary(const dictionary&) {}
 
-    bool contact() const { return true; }
+    virtual bool contact() const { return true; }
 };
 
 }

@@ -47,7 +47,7 @@ namespace Foam
 
 class fixedDisplacementBoundary
 :
-    public boundaryLaw
+    public solidBoundaryCondition
 {
     prescribedMotion motion_;
 
@@ -67,7 +67,7 @@ public:
 
     void write(Ostream& os) const { motion_.write(os); }
 
-    const prescribedMotion* motion() const { return &motion_; }
+    virtual const prescribedMotion* motion() const { return &motion_; }
 };
 
 }

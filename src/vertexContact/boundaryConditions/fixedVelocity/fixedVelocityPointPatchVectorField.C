@@ -48,7 +48,7 @@ namespace Foam
 
 class fixedVelocityBoundary
 :
-    public boundaryLaw
+    public solidBoundaryCondition
 {
     prescribedMotion motion_;
 
@@ -68,9 +68,9 @@ public:
 
     void write(Ostream& os) const { motion_.write(os); }
 
-    const prescribedMotion* motion() const { return &motion_; }
+    virtual const prescribedMotion* motion() const { return &motion_; }
 
-    void solve(const scalar time, cornerStates& c) const
+    virtual void solve(const scalar time, cornerStates& c) const
     {
         const vector vWall = motion_.value(time);
         for (label i = 0; i < c.size(); ++i)

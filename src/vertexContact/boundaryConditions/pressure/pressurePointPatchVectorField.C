@@ -30,7 +30,7 @@ namespace Foam
 
 class pressureBoundary
 :
-    public boundaryLaw
+    public solidBoundaryCondition
 {
     timeValue<scalar> pressure_;
 
@@ -57,7 +57,7 @@ public:
 
     void write(Ostream& os) const { pressure_.write(os); }
 
-    void solve(const scalar time, cornerStates& c) const
+    virtual void solve(const scalar time, cornerStates& c) const
     {
         const scalar p = pressure_(time);
         for (label i = 0; i < c.size(); ++i)

@@ -30,7 +30,7 @@ namespace Foam
 
 class tractionBoundary
 :
-    public boundaryLaw
+    public solidBoundaryCondition
 {
     timeValue<vector> traction_;
 
@@ -57,7 +57,7 @@ public:
 
     void write(Ostream& os) const { traction_.write(os); }
 
-    void solve(const scalar time, cornerStates& c) const
+    virtual void solve(const scalar time, cornerStates& c) const
     {
         const vector t = traction_(time);
         for (label i = 0; i < c.size(); ++i)

@@ -25,7 +25,7 @@ namespace Foam
 
 class tractionFreeBoundary
 :
-    public boundaryLaw
+    public solidBoundaryCondition
 {
 public:
 
@@ -33,7 +33,7 @@ public:
 
     explicit tractionFreeBoundary(const dictionary&) {}
 
-    bool tractionFree() const { return true; }
+    virtual bool tractionFree() const { return true; }
 };
 
 }

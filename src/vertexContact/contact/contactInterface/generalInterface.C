@@ -42,7 +42,6 @@ Foam::generalInterface::candidates(const scalar time)
 {
     // Until the next search each side moves by reach_ at most, and pairings
     // look as far as twice that
-    const scalar grown = 2*reach_;
     List<boundBox> boxes(surfaces_.size());
     List<vector> momentum(surfaces_.size());
     List<scalar> mass(surfaces_.size());
@@ -65,8 +64,7 @@ Foam::generalInterface::candidates(const scalar time)
     scalarField radius(boxes.size());
     forAll(boxes, i)
     {
-        boxes[i].min() -= grown*vector::one;
-        boxes[i].max() += grown*vector::one;
+        boxes[i] = contactSurface::grown(boxes[i], 2*reach_);
         centres[i] = boxes[i].midpoint();
         radius[i] = 0.5*boxes[i].mag();
         motions_[i].start(time, reach_, reach_, frame);

@@ -24,17 +24,7 @@ Foam::autoPtr<Foam::contactLaw> Foam::contactLaw::New(const dictionary& dict)
 {
     const word lawType(dict.get<word>("type"));
 
-    vertexContactLookupConstructor(contactLaw, dictionary, lawType)
-
-    if (!constructorFound)
-    {
-        dictionaryCheck::unknownModel
-        (
-            dict, "type", lawType,
-            dictionaryConstructorTablePtr_->sortedToc()
-        );
-    }
-
+    findListedModel(contactLaw, dict, "type", lawType)
     return constructorPtr(dict);
 }
 

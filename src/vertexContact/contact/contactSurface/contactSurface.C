@@ -79,70 +79,6 @@ vector currentNormal
     return ((A & N) < 0 ? -1 : 1)*a/max(mag(a), VSMALL);
 }
 
-//- One face of a side
-contactFace makeFace
-(
-    const contactSide& side,
-    const globalIndex& corners,
-    const vector& out,
-    const label facei,
-    const bool current
-)
-{
-    const solidBody& body = *side.body;
-    const medianDual& dual = body.dual();
-    const dualPatch& patch = dual.patches()[side.patchi];
-    const scalarField& depth = body.surface(side.patchi).depth;
-    const boolList& rim = body.surface(side.patchi).rim;
-    const label d = dual.nDim();
-
-    contactFace f;
-    const dualPatch::face its(patch.faceOf(facei));
-    const label start = its.start;
-    f.size = its.size;
-    f.firstCorner = corners.toGlobal(start);
-
-    const scalar* s = patch.weights.cdata() + its.firstWeight;
-    vector mean(Zero);
-    for (label j = 0; j < f.size; ++j)
-    {
-        const label k = start + j;
-        const label a = patch.cornerNode[k];
-        f.X[j] = body.expand(dual.nodePosition().cdata() + a*d);
-        f.x[j] =
-            current
-          ? f.X[j] + body.expand(body.state().disp.cdata() + a*d)
-          : f.X[j];
-        f.area[j] = patch.cornerArea[k];
-        f.depth[j] = depth[k];
-        f.rim[j] = rim.size() && rim[k];
-        mean += body.expand(patch.cornerNormal.cdata() + k*d);
-    }
-    f.spread = spread(s, f.size, f.area);
-    if (f.size == 4)
-    {
-        const scalar both = s[2] + s[7];
-        f.split = both > 0 ? s[2]/both : 0.5;
-
-        const vector d02(f.X[2] - f.X[0]), d13(f.X[3] - f.X[1]);
-        const vector n(d02 ^ d13);
-        f.crossing = min
-        (
-            max
-            (
-                (((f.X[1] - f.X[0]) ^ d13) & n)/max(magSqr(n), VSMALL),
-                scalar(contactFace::leastCrossing)
-            ),
-            scalar(1 - contactFace::leastCrossing)
-        );
-    }
-    f.N = mean/mag(mean);
-    f.width = f.size > 1 ? bodySurface::meanEdge(f.X, f.size) : f.depth[0];
-
-    f.n = currentNormal(f.x, f.X, f.size, d, f.N, out);
-    return f;
-}
-
 //- Positions of the nodes of a body, current or reference ones, in its solution
 //  directions
 struct positions
@@ -180,6 +116,66 @@ struct positions
           : reference(node);
     }
 };
+
+//- One face of a side
+contactFace makeFace
+(
+    const contactSide& side,
+    const globalIndex& corners,
+    const vector& out,
+    const label facei,
+    const bool current
+)
+{
+    const solidBody& body = *side.body;
+    const dualPatch& patch = body.dual().patches()[side.patchi];
+    const positions at(side, current);
+    const scalarField& depth = body.surface(side.patchi).depth;
+    const boolList& rim = body.surface(side.patchi).rim;
+
+    contactFace f;
+    const dualPatch::face its(patch.faceOf(facei));
+    const label start = its.start;
+    f.size = its.size;
+    f.firstCorner = corners.toGlobal(start);
+
+    const scalar* s = patch.weights.cdata() + its.firstWeight;
+    vector mean(Zero);
+    for (label j = 0; j < f.size; ++j)
+    {
+        const label k = start + j;
+        const label a = patch.cornerNode[k];
+        f.X[j] = at.reference(a);
+        f.x[j] = at(a);
+        f.area[j] = patch.cornerArea[k];
+        f.depth[j] = depth[k];
+        f.rim[j] = rim.size() && rim[k];
+        mean += body.expand(patch.cornerNormal.cdata() + k*at.d);
+    }
+    f.spread = spread(s, f.size, f.area);
+    if (f.size == 4)
+    {
+        const scalar both = s[2] + s[7];
+        f.split = both > 0 ? s[2]/both : 0.5;
+
+        const vector d02(f.X[2] - f.X[0]), d13(f.X[3] - f.X[1]);
+        const vector n(d02 ^ d13);
+        f.crossing = min
+        (
+            max
+            (
+                (((f.X[1] - f.X[0]) ^ d13) & n)/max(magSqr(n), VSMALL),
+                scalar(contactFace::leastCrossing)
+            ),
+            scalar(1 - contactFace::leastCrossing)
+        );
+    }
+    f.N = mean/mag(mean);
+    f.width = f.size > 1 ? bodySurface::meanEdge(f.X, f.size) : f.depth[0];
+
+    f.n = currentNormal(f.x, f.X, f.size, at.d, f.N, out);
+    return f;
+}
 
 //- Call a function for the outlines of those faces of a side, from start to
 //  end, that are wanted
@@ -234,14 +230,6 @@ void outlines
     }
 }
 
-//- A box that is larger by a distance in all directions
-boundBox grown(boundBox b, const scalar by)
-{
-    b.min() -= by*vector::one;
-    b.max() += by*vector::one;
-    return b;
-}
-
 //- Values of each, combined over all processors
 template<class T, class Combine>
 void overRanks(List<T>& values, const Combine& operation)
@@ -270,6 +258,14 @@ Foam::vector Foam::contactSurface::outOfPlane(const contactSide& side)
         }
     }
     return vector::zero;
+}
+
+
+Foam::boundBox Foam::contactSurface::grown(boundBox box, const scalar by)
+{
+    box.min() -= by*vector::one;
+    box.max() += by*vector::one;
+    return box;
 }
 
 

@@ -118,10 +118,7 @@ Foam::List<Foam::contactSide> Foam::surfaceSelection::select
             dict, keyword, Pair<word>(e.list[0].name, e.list[1].name), bodies
         );
     };
-    if (which.literal())
-    {
-        return List<contactSide>(1, one(which));
-    }
+    if (which.literal()) return List<contactSide>(1, one(which));
 
     // Those of each entry, in the order of all
     const List<contactSide> known(all(bodies));

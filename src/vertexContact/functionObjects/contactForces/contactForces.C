@@ -61,10 +61,7 @@ Foam::word Foam::functionObjects::contactForces::keyOf
 
 void Foam::functionObjects::contactForces::filter()
 {
-    if (!filter_.valid() || filteredStep_ == runTime_.timeIndex())
-    {
-        return;
-    }
+    if (!filter_.valid() || filteredStep_ == runTime_.timeIndex()) return;
     filteredStep_ = runTime_.timeIndex();
 
     // One reduction for all
@@ -210,15 +207,14 @@ Foam::functionObjects::contactForces::contactForces
             const Pair<string> sides(contact.sideNames());
             for (const string* side : {&sides.first(), &sides.second()})
             {
-                const string label(*side + ':');
-                for (const char* c : {"Fx[N]", "Fy[N]", "Fz[N]"})
-                {
-                    os  << ' ' << label.c_str() << c;
-                }
-                for (const char* c : {"Ix[N.s]", "Iy[N.s]", "Iz[N.s]"})
-                {
-                    os  << ' ' << label.c_str() << c;
-                }
+                writeHeads
+                (
+                    os, *side,
+                    {
+                        "Fx[N]", "Fy[N]", "Fz[N]",
+                        "Ix[N.s]", "Iy[N.s]", "Iz[N.s]"
+                    }
+                );
             }
             os  << " area[m2] peakPressure[Pa] penetration[m]"
                 << " relativePenetration[-] open stick slip"
@@ -227,27 +223,16 @@ Foam::functionObjects::contactForces::contactForces
             {
                 for (const string* side : {&sides.first(), &sides.second()})
                 {
-                    for (const char* c : {"x[N]", "y[N]", "z[N]"})
-                    {
-                        os  << ' ' << side->c_str() << ":filteredF" << c;
-                    }
+                    writeHeads
+                    (
+                        os, *side,
+                        {"filteredFx[N]", "filteredFy[N]", "filteredFz[N]"}
+                    );
                 }
             }
             os  << endl;
             files_.set(i, file.ptr());
         }
-    }
-}
-
-
-// * * * * * * * * * * * * * * * * Destructor  * * * * * * * * * * * * * * * //
-
-Foam::functionObjects::contactForces::~contactForces()
-{
-    // The bodies may be gone first
-    if (filter_.valid() && runTime_.foundObject<solidSystem>("solidSystem"))
-    {
-        solids_.dropRecord(name());
     }
 }
 

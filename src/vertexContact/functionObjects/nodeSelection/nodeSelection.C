@@ -121,10 +121,7 @@ Foam::scalarField Foam::nodeSelection::ofSet
             const scalar share =
                 c.mag(mesh.points(), mesh.faces())
                /(corners.size()*dual.thickness());
-            for (const label p : corners)
-            {
-                weights[dual.pointNode()[p]] += share;
-            }
+            for (const label p : corners) weights[dual.pointNode()[p]] += share;
         }
         return weights;
     }

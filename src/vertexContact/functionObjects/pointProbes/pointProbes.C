@@ -40,14 +40,8 @@ Foam::List<Foam::scalar> Foam::functionObjects::pointProbes::values
     {
         return listOf(body_->expand(s.disp.cdata() + node*d));
     }
-    if (field == "lm")
-    {
-        return listOf(body_->expand(s.lm.cdata() + node*d));
-    }
-    if (field == "F")
-    {
-        return listOf(body_->deformationGradient(node));
-    }
+    if (field == "lm") return listOf(body_->expand(s.lm.cdata() + node*d));
+    if (field == "F") return listOf(body_->deformationGradient(node));
     if (field == "J")
     {
         return List<scalar>
@@ -57,10 +51,7 @@ Foam::List<Foam::scalar> Foam::functionObjects::pointProbes::values
     }
 
     const symmTensor sigma(body_->CauchyStress(node));
-    if (field == "sigma")
-    {
-        return listOf(sigma);
-    }
+    if (field == "sigma") return listOf(sigma);
     if (field == "sigmaEq")
     {
         return List<scalar>(1, std::sqrt(1.5*magSqr(dev(sigma))));
@@ -153,10 +144,7 @@ Foam::functionObjects::pointProbes::pointProbes
             nearest <= least ? Pstream::myProcNo() : labelMax,
             minOp<label>()
         );
-        if (Pstream::myProcNo() == rank)
-        {
-            nodes_[i] = node;
-        }
+        if (Pstream::myProcNo() == rank) nodes_[i] = node;
         Info<< "pointProbes " << name << ": point " << points[i]
             << " is " << least << " m from the nearest node of region "
             << region << endl;

@@ -151,10 +151,7 @@ Foam::functionObjects::reactionForces::reactionForces
                     r.impulse = vector(s[0], s[1], s[2]);
                     r.work = s[3];
                     r.stepImpulse = vector(s[4], s[5], s[6]);
-                    if (stride == nSums)
-                    {
-                        r.stepTwist = vector(s[7], s[8], s[9]);
-                    }
+                    if (stride == nSums) r.stepTwist = vector(s[7], s[8], s[9]);
                 }
                 solids_.continueReaction(i, patchi, r, times[k]);
             }
@@ -172,40 +169,22 @@ Foam::functionObjects::reactionForces::reactionForces
             for (const label patchi : patches_[i])
             {
                 const word patch(nameOf(i, patchi));
-                for
+                writeHeads
                 (
-                    const char* c :
+                    os, patch,
                     {
                         "Fx[N]", "Fy[N]", "Fz[N]",
                         "Ix[N.s]", "Iy[N.s]", "Iz[N.s]", "work[J]"
                     }
-                )
-                {
-                    os  << ' ' << patch.c_str() << ':' << c;
-                }
+                );
                 if (!solids_.bodies()[i].rigid()) continue;
-                for (const char* c : {"Mx[N.m]", "My[N.m]", "Mz[N.m]"})
-                {
-                    os  << ' ' << patch.c_str() << ':' << c;
-                }
+                writeHeads(os, patch, {"Mx[N.m]", "My[N.m]", "Mz[N.m]"});
             }
         }
         os  << endl;
     }
 
     writeFirstRow();
-}
-
-
-// * * * * * * * * * * * * * * * * Destructor  * * * * * * * * * * * * * * * //
-
-Foam::functionObjects::reactionForces::~reactionForces()
-{
-    // The bodies may be gone first
-    if (runTime_.foundObject<solidSystem>("solidSystem"))
-    {
-        solids_.dropRecord(name());
-    }
 }
 
 

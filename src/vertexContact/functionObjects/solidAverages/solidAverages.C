@@ -89,29 +89,19 @@ bool Foam::functionObjects::solidAverages::writeRow()
     {
         const labelList& nodes = selections_[i].nodes();
         const scalarField& weights = selections_[i].weights();
-        word read;
-        autoPtr<solidBody::nodalField> values;
-        for (const fieldComponent& component : fields_[i])
-        {
-            // Components of one field follow each other
-            if (component.field() != read)
+        fieldComponent::visit
+        (
+            fields_[i], selections_[i].body(),
+            [&](const fieldComponent& component, const auto& values)
             {
-                read = component.field();
-                values.reset
-                (
-                    new solidBody::nodalField
-                    (
-                        selections_[i].body().field(read)
-                    )
-                );
+                scalar sum = 0;
+                forAll(nodes, k)
+                {
+                    sum += weights[k]*component.value(values, nodes[k]);
+                }
+                sums.append(sum/measures_[i]);
             }
-            scalar sum = 0;
-            forAll(nodes, k)
-            {
-                sum += weights[k]*component.value(*values, nodes[k]);
-            }
-            sums.append(sum/measures_[i]);
-        }
+        );
     }
     scalarList all(sums);
     Pstream::listCombineGather(all, plusEqOp<scalar>());

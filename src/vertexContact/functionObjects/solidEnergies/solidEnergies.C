@@ -41,29 +41,31 @@ Foam::functionObjects::solidEnergies::solidEnergies
         *momentum_ << "# Time[s]";
         for (const word& owner : owners)
         {
-            DynamicList<const char*> energyNames
-            ({
-                "kinetic", "swing", "strain", "plasticDissipation",
-                "numericalDissipation", "externalWork", "contactWork",
-                "balance"
-            });
-            if (solids_.damped()) energyNames.append("dampingDissipation");
+            writeHeads
+            (
+                *energies_, owner,
+                {
+                    "kinetic[J]", "swing[J]", "strain[J]",
+                    "plasticDissipation[J]", "numericalDissipation[J]",
+                    "externalWork[J]", "contactWork[J]", "balance[J]"
+                }
+            );
+            if (solids_.damped())
+            {
+                writeHeads(*energies_, owner, {"dampingDissipation[J]"});
+            }
             if (solids_.relaxes())
             {
-                energyNames.append("relaxationDissipation");
+                writeHeads(*energies_, owner, {"relaxationDissipation[J]"});
             }
-            for (const char* e : energyNames)
-            {
-                *energies_ << ' ' << owner.c_str() << ':' << e << "[J]";
-            }
-            for (const char* p : {"px", "py", "pz"})
-            {
-                *momentum_ << ' ' << owner.c_str() << ':' << p << "[kg.m/s]";
-            }
-            for (const char* L : {"Lx", "Ly", "Lz"})
-            {
-                *momentum_ << ' ' << owner.c_str() << ':' << L << "[kg.m2/s]";
-            }
+            writeHeads
+            (
+                *momentum_, owner,
+                {
+                    "px[kg.m/s]", "py[kg.m/s]", "pz[kg.m/s]",
+                    "Lx[kg.m2/s]", "Ly[kg.m2/s]", "Lz[kg.m2/s]"
+                }
+            );
         }
         *energies_ << " total:frictionDissipation[J]" << endl;
         *momentum_ << endl;

@@ -32,22 +32,14 @@ void Foam::functionObjects::solidExtremes::observe()
     forAll(selections_, i)
     {
         const solidBody& body = selections_[i].body();
-        word read;
-        autoPtr<solidBody::nodalField> values;
-        for (const fieldComponent& component : fields_[i])
+        const auto look = [&](const fieldComponent& its, const auto& values)
         {
-            // Components of one field follow each other
-            if (component.field() != read)
-            {
-                read = component.field();
-                values.reset(new solidBody::nodalField(body.field(read)));
-            }
             extreme* const both = extremes_.data() + next;
             next += 2;
             label least = -1, most = -1;
             for (const label a : selections_[i].nodes())
             {
-                const scalar value = component.value(*values, a);
+                const scalar value = its.value(values, a);
                 if (value < both[0].value)
                 {
                     both[0].value = value;
@@ -67,7 +59,8 @@ void Foam::functionObjects::solidExtremes::observe()
                 both[side].position = body.position(a);
                 both[side].reference = body.meshPoint(a);
             }
-        }
+        };
+        fieldComponent::visit(fields_[i], body, look);
     }
 }
 
@@ -121,17 +114,14 @@ Foam::functionObjects::solidExtremes::solidExtremes
                     *file_
                         << ' ' << label.c_str() << '['
                         << component.unit().c_str() << ']';
-                    for
+                    writeHeads
                     (
-                        const char* c
-                      : {
+                        *file_, label,
+                        {
                             "time[s]", "x[m]", "y[m]", "z[m]", "X[m]", "Y[m]",
                             "Z[m]"
                         }
-                    )
-                    {
-                        *file_ << ' ' << label.c_str() << ':' << c;
-                    }
+                    );
                 }
             }
         }

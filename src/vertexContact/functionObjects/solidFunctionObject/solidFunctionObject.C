@@ -112,6 +112,17 @@ Foam::functionObjects::solidFunctionObject::openFile
 }
 
 
+void Foam::functionObjects::solidFunctionObject::writeHeads
+(
+    Ostream& os,
+    const string& owner,
+    const std::initializer_list<const char*>& names
+)
+{
+    for (const char* head : names) os << ' ' << owner.c_str() << ':' << head;
+}
+
+
 void Foam::functionObjects::solidFunctionObject::checkKeywords
 (
     const dictionary& dict,
@@ -138,6 +149,18 @@ Foam::functionObjects::solidFunctionObject::solidFunctionObject
 {}
 
 
+// * * * * * * * * * * * * * * * * Destructor  * * * * * * * * * * * * * * * //
+
+Foam::functionObjects::solidFunctionObject::~solidFunctionObject()
+{
+    // The bodies may be gone first
+    if (runTime_.foundObject<solidSystem>("solidSystem"))
+    {
+        solids_.dropRecord(name());
+    }
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::keywordList
@@ -150,7 +173,10 @@ Foam::functionObjects::solidFunctionObject::commonKeywords()
         {"functionObjectLibs", "", "none", "libs, in older releases"},
         {"enabled", "", "yes", "no: leave it out"},
         {"log", "", "yes", "of OpenFOAM, without effect"},
-        {"region", "", "the only one", "name of the body"},
+        {
+            "region", "", "all",
+            "names of bodies; pointProbes takes one, required if there are more"
+        },
         {"timeStart", "s", "start", "nothing is done before"},
         {"timeEnd", "s", "end", "nothing is done afterwards"},
         {"executeControl", "", "timeStep", "when it executes, as writeControl"},
@@ -170,10 +196,7 @@ Foam::functionObjects::solidFunctionObject::commonKeywords()
 bool Foam::functionObjects::solidFunctionObject::write()
 {
     const scalar now = passed();
-    if (!controlled_ && now == written_)
-    {
-        return true;
-    }
+    if (!controlled_ && now == written_) return true;
     written_ = now;
     writtenStep_ = runTime_.timeIndex();
     return writeRow();

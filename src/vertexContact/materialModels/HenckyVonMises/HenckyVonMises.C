@@ -173,10 +173,7 @@ struct flowState
         const scalar strain = s.epsilonPEq[i];
         const scalar soft = hardening::softening(yield, s.temperature, i);
         const scalar before = soft*yield.yield(strain);
-        if (!(trial.q > before))
-        {
-            return;
-        }
+        if (!(trial.q > before)) return;
         increment = hardening::softenedIncrement
         (
             yield, soft, trial.q, strain, threeMu, s.sinceCommit
@@ -735,10 +732,7 @@ void Foam::HenckyVonMises::waveFactors
 ) const
 {
     materialModel::waveFactors(s, factor);
-    if (!initial().on())
-    {
-        return;
-    }
+    if (!initial().on()) return;
 
     const scalar undeformed = kappa() + 4*mu()/3;
     withDirections(s.nDim, [&](auto directions)

@@ -167,10 +167,7 @@ Foam::scalar Foam::hardening::table::increment
         const scalar Y = stresses[k] + H*(from - strains[k]);
         const scalar rest = q - threeMu*(from - strain);
         const scalar to = from + (rest - Y)/(threeMu + H);
-        if (k + 1 >= strains.size() || to <= strains[k + 1])
-        {
-            return to - strain;
-        }
+        if (k + 1 >= strains.size() || to <= strains[k + 1]) return to - strain;
         from = strains[k + 1];
     }
 }
@@ -184,10 +181,7 @@ Foam::scalar Foam::hardening::JohnsonCook::increment
     const scalar dt
 ) const
 {
-    if (dt <= 0 && C > 0)
-    {
-        return 0;
-    }
+    if (dt <= 0 && C > 0) return 0;
 
     const auto excess = [&](const scalar d)
     {
@@ -202,10 +196,7 @@ Foam::scalar Foam::hardening::JohnsonCook::increment
     {
         const scalar d = (fa*b - fb*a)/(fa - fb);
         const scalar f = excess(d);
-        if (mag(f) <= solved*q)
-        {
-            return d;
-        }
+        if (mag(f) <= solved*q) return d;
         if (f > 0)
         {
             a = d;

@@ -126,17 +126,7 @@ Foam::autoPtr<Foam::materialModel> Foam::materialModel::New
 {
     const word modelType(dict.get<word>("type"));
 
-    vertexContactLookupConstructor(materialModel, dictionary, modelType)
-
-    if (!constructorFound)
-    {
-        dictionaryCheck::unknownModel
-        (
-            dict, "type", modelType,
-            dictionaryConstructorTablePtr_->sortedToc()
-        );
-    }
-
+    findListedModel(materialModel, dict, "type", modelType)
     return constructorPtr(dict, form);
 }
 

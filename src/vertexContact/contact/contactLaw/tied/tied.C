@@ -42,10 +42,7 @@ public:
     {
         using namespace acousticRiemann;
 
-        for (problem& p : problems)
-        {
-            p.result = stuck(p.minus, p.plus, p.n);
-        }
+        for (problem& p : problems) p.result = stuck(p.minus, p.plus, p.n);
     }
 
     virtual bool bonded() const { return true; }

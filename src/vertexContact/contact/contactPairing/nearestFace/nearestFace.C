@@ -48,13 +48,6 @@ bool behind
     return ((b.centre - a.centre) & n) < -(1 + sameNode)*depth;
 }
 
-boundBox grown(boundBox b, const scalar by)
-{
-    b.min() -= by*vector::one;
-    b.max() += by*vector::one;
-    return b;
-}
-
 //- Distance of two boxes, not more than the true one of what is in them
 scalar distance(const boundBox& a, const boundBox& b)
 {
@@ -224,7 +217,7 @@ void Foam::contactPairings::nearestFace::pairFaces
     {
         const boundBox near
         (
-            grown(a.box, radius + 0.5*(a.width + reach_))
+            contactSurface::grown(a.box, radius + 0.5*(a.width + reach_))
         );
         found.clear();
         grid.forEach(near, [&](const label i)
@@ -384,7 +377,7 @@ void Foam::contactPairings::nearestFace::find
         // Only faces near the other side
         const DynamicList<contactSurface::outline> mine
         (
-            minus.in(grown(plus.box, search))
+            minus.in(contactSurface::grown(plus.box, search))
         );
         DynamicList<contactSurface::outline> others;
         contactFaceList received;
@@ -396,8 +389,8 @@ void Foam::contactPairings::nearestFace::find
             received = oppositeFaces
             (
                 plus,
-                mine.size() ? grown(box, search) : box,
-                grown(minus.box, search)
+                mine.size() ? contactSurface::grown(box, search) : box,
+                contactSurface::grown(minus.box, search)
             );
             others.reserve(received.size());
             forAll(received, f)
@@ -407,7 +400,7 @@ void Foam::contactPairings::nearestFace::find
         }
         else if (!(minus_ == plus_))
         {
-            others = plus.in(grown(minus.box, search));
+            others = plus.in(contactSurface::grown(minus.box, search));
         }
         const bool itself = minus_ == plus_ && !far;
         pairFaces(mine, itself ? mine : others, received, overlaps);
