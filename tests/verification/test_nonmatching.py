@@ -243,28 +243,36 @@ def test_pairings_agree(tmp_path, figures):
         f.within("ratio of the peak forces", peaks[1]/peaks[0], 1, 0.01)
 
 
+def pairings(folder, ranks, low, high, **control):
+    """How often two blocks are paired, less than a face apart, that have
+    velocities in widths of a face per unit of time."""
+    width = 1/8
+    bodies = blocks((8, 8), (8, 8), shift=0, gap=0.9*width, speed=0)
+    for body, speed in zip(bodies, (low, high)):
+        body.velocity = tuple(width*np.array(speed))
+    case = SmallCase(folder, bodies, 1, preset=DEFAULT,
+                     interfaces=between(pairing="nearestFace"),
+                     control={"functions": {}, "writeInterval": 1, **control})
+    code, log = case.attempt(ranks)
+    assert code == 0, log[-2000:]
+    line = next(x for x in log.splitlines() if x.startswith("Contact:"))
+    return int(line.split("steps in ")[1].split()[0])
+
+
 @pytest.mark.parametrize("ranks", (1, 2))
 def test_paired_again_by_what_slides(tmp_path, figures, ranks):
     """What moves along its normal meets what it would have met: only what moves
-    along its surface is paired again. Each block moves by 0.35 widths of a
-    face, and they do not meet."""
-    def pairings(folder, direction):
-        width = 1/8
-        bodies = blocks((8, 8), (8, 8), shift=0, gap=0.9*width, speed=0)
-        for body, sign in zip(bodies, (1, -1)):
-            body.velocity = tuple(0.35*width*sign*np.array(direction))
-        case = SmallCase(folder, bodies, 1, functions=("contactForces",),
-                         interfaces=between(pairing="nearestFace"),
-                         control={"functions": {}, "writeInterval": 1},
-                         preset=DEFAULT)
-        code, log = case.attempt(ranks)
-        assert code == 0, log[-2000:]
-        line = next(x for x in log.splitlines() if x.startswith("Contact:"))
-        return int(line.split("steps in ")[1].split()[0])
-
+    along its surface is paired again. What both have in common does not count,
+    also if it comes to an end."""
+    way = 0.35*np.eye(3)
     with figures(f"paired again, {ranks} ranks") as f:
-        f.equal("while they approach", pairings(tmp_path/"a", (0, 1, 0)), 0)
-        f.equal("while they slide", pairings(tmp_path/"b", (1, 0, 0)), 3)
+        f.equal("while they approach", pairings(
+            tmp_path/"a", ranks, way[1], -way[1]), 0)
+        f.equal("while they slide", pairings(
+            tmp_path/"b", ranks, way[0], -way[0]), 3)
+        f.equal("while they stop together", pairings(
+            tmp_path/"c", ranks, (4, 0, 0), (4, 0, 0),
+            damping={'".*"': {"coefficient": 5}}), 0)
 
 
 @pytest.mark.parametrize("ranks", (1, 2))

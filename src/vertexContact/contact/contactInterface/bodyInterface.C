@@ -635,12 +635,20 @@ Foam::Pair<Foam::string> Foam::bodyInterface::namesOf
 }
 
 
-void Foam::bodyInterface::update(const scalar time, const bool)
+void Foam::bodyInterface::update(const scalar time, const bool all)
 {
     const PtrList<contactSurface::snapshot> now
     (
         contactSurface::snapshots(sides())
     );
+    if (!all)
+    {
+        const auto bodies =
+            contactSurface::bodyMotion::common(now[0].motion, now[1].motion);
+        const auto both = [](const label a, const label b) { return a | b; };
+        const label moved = returnReduce(this->moved(time, bodies), both);
+        if (!again(time, moved, bodies)) return;
+    }
     pairing_->update(time, now[0], now[1]);
     resize();
     if (!pairing_->active()) statistics_ = statistics();

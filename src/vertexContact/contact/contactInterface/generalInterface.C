@@ -38,27 +38,23 @@ void joinBox(boundBox& a, const boundBox& b)
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::List<Foam::generalInterface::pairKey>
-Foam::generalInterface::candidates(const scalar time)
+Foam::generalInterface::candidates
+(
+    const scalar time,
+    const UList<contactSurface::bodyMotion>& motions
+)
 {
     // Until the next search each side moves by reach_ at most, and pairings
     // look as far as twice that
     List<boundBox> boxes(surfaces_.size());
-    List<vector> momentum(surfaces_.size());
-    List<scalar> mass(surfaces_.size());
+    contactSurface::bodyMotion mean{vector::zero, vector::zero};
     forAll(surfaces_, i)
     {
         boxes[i] = motions_[i].box();
-        // Surfaces of one body follow each other
-        const bool same = i && surfaces_[i].body == surfaces_[i - 1].body;
-        momentum[i] =
-            same ? momentum[i - 1] : surfaces_[i].body->linearMomentum();
-        mass[i] = same ? mass[i - 1] : surfaces_[i].body->mass();
+        mean.velocity += motions[i].velocity/surfaces_.size();
+        mean.displacement += motions[i].displacement/surfaces_.size();
     }
     everywhere(boxes, joinBox);
-    everywhere(momentum, plusEqOp<vector>());
-    everywhere(mass, plusEqOp<scalar>());
-    vector frame(Zero);
-    forAll(surfaces_, i) frame += momentum[i]/mass[i]/surfaces_.size();
 
     pointField centres(boxes.size());
     scalarField radius(boxes.size());
@@ -67,7 +63,7 @@ Foam::generalInterface::candidates(const scalar time)
         boxes[i] = contactSurface::grown(boxes[i], 2*reach_);
         centres[i] = boxes[i].midpoint();
         radius[i] = 0.5*boxes[i].mag();
-        motions_[i].start(time, reach_, reach_, frame);
+        motions_[i].start(time, reach_, reach_, mean);
     }
     const autoPtr<pointTree> tree(newPointTree(centres, max(radius)));
 
@@ -276,24 +272,38 @@ bool Foam::generalInterface::outdated(const scalar time)
 
 void Foam::generalInterface::update(const scalar time, const bool all)
 {
-    boolList moved;
-    moved.setSize(keys_.size(), all);
+    const List<contactSurface::bodyMotion> motions
+    (
+        contactSurface::bodyMotions(surfaces_)
+    );
+    const auto commonOf = [&](const pairKey key)
+    {
+        const labelPair pair(rule_.pairOf(key));
+        return contactSurface::bodyMotion::common
+        (
+            motions[pair.first()], motions[pair.second()]
+        );
+    };
+    labelList moved(keys_.size(), label(3));
     bool search = all;
     if (!all)
     {
         for (surfaceMotion& motion : motions_)
         {
             motion.look(time);
-            search = search || motion.left(0.5) < 0;
+            search = search || motion.left(bodyInterface::againAfter) < 0;
         }
         reduce(search, orOp<bool>());
-        forAll(parts_, i) moved[i] = parts_[i].left(time, 0.5) < 0;
-        everywhere(moved, orEqOp<bool>());
+        forAll(parts_, i)
+        {
+            moved[i] = parts_[i].moved(time, commonOf(keys_[i]));
+        }
+        everywhere(moved, [](label& a, const label b) { a |= b; });
     }
 
     // What is there and near stays
     List<pairKey> keys(keys_);
-    if (search) keys = candidates(time);
+    if (search) keys = candidates(time, motions);
 
     boolList wasSummed;
     wasSummed.setSize(keys_.size(), false);
@@ -339,7 +349,8 @@ void Foam::generalInterface::update(const scalar time, const bool all)
         isOld[i] = true;
         parts.set(i, parts_.set(old, nullptr).ptr());
         kept[i] = wasSummed[old];
-        again[i] = moved[old];
+        again[i] =
+            all || parts[i].again(time, moved[old], commonOf(keys[i]));
         if (!again[i]) continue;
         for (const label k : rule_.pairOf(keys[i])) wanted[k] = true;
     }

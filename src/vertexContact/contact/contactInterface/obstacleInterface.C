@@ -446,7 +446,10 @@ void Foam::obstacleInterface::update(const scalar time, const bool)
         box.max() += allowed_*vector::one;
         reach_ = box.points();
     }
-    sideMotion_.start(time, allowed_, allowed_, vector::zero);
+    sideMotion_.start
+    (
+        time, allowed_, allowed_, {vector::zero, vector::zero}
+    );
 }
 
 

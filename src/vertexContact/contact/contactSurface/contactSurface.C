@@ -371,13 +371,13 @@ Foam::contactSurface::snapshot::snapshot
 (
     const contactSide& side,
     const bool current,
-    const vector& velocity
+    const bodyMotion& motion
 )
 :
     side(side),
     current(current),
     box(boundBox::invertedBox),
-    velocity(velocity)
+    motion(motion)
 {
     const positions x(side, current);
     for (const label a : side.body->dual().patches()[side.patchi].cornerNode)
@@ -447,6 +447,56 @@ bool Foam::contactSurface::snapshot::meet
 }
 
 
+Foam::List<Foam::contactSurface::bodyMotion>
+Foam::contactSurface::bodyMotions(const UList<contactSide>& sides)
+{
+    // Momentum, mass; displacement times volume, volume
+    typedef FixedList<scalar, 8> sums;
+    List<sums> all(sides.size(), sums(scalar(0)));
+    List<bodyMotion> motions(sides.size());
+    if (all.empty()) return motions;
+
+    forAll(all, i)
+    {
+        const solidBody& body = *sides[i].body;
+        if (i && sides[i - 1].body == &body)
+        {
+            all[i] = all[i - 1];
+            continue;
+        }
+        const medianDual& dual = body.dual();
+        const scalarField& volume = dual.nodeVolume();
+        const scalar* disp = body.state().disp.cdata();
+        const label d = dual.nDim();
+        const vector momentum(body.linearMomentum());
+        vector way(Zero);
+        forAll(volume, a)
+        {
+            if (!dual.sharing().owned()[a]) continue;
+            way += volume[a]*body.expand(disp + a*d);
+            all[i][7] += volume[a];
+        }
+        for (direction c = 0; c < 3; ++c)
+        {
+            all[i][c] = momentum[c];
+            all[i][4 + c] = way[c];
+        }
+        all[i][3] = body.mass();
+    }
+    overRanks(all, [](sums& a, const sums& b)
+    {
+        forAll(a, c) a[c] += b[c];
+    });
+    forAll(all, i)
+    {
+        const sums& s = all[i];
+        motions[i].velocity = vector(s[0], s[1], s[2])/s[3];
+        motions[i].displacement = vector(s[4], s[5], s[6])/s[7];
+    }
+    return motions;
+}
+
+
 Foam::PtrList<Foam::contactSurface::snapshot>
 Foam::contactSurface::snapshots
 (
@@ -458,37 +508,11 @@ Foam::contactSurface::snapshots
     PtrList<snapshot> all(n);
     if (!n) return all;
 
-    // Momentum and mass of the bodies
-    List<FixedList<scalar, 4>> motion(n);
-    forAll(motion, i)
-    {
-        const solidBody& body = *sides[i].body;
-        if (i && sides[i - 1].body == &body)
-        {
-            motion[i] = motion[i - 1];
-            continue;
-        }
-        const vector momentum(body.linearMomentum());
-        for (direction c = 0; c < 3; ++c) motion[i][c] = momentum[c];
-        motion[i][3] = body.mass();
-    }
-    overRanks
-    (
-        motion,
-        [](FixedList<scalar, 4>& a, const FixedList<scalar, 4>& b)
-        {
-            forAll(a, c) a[c] += b[c];
-        }
-    );
-
+    const List<bodyMotion> motions(bodyMotions(sides));
     List<boundBox> boxes(n);
     forAll(boxes, i)
     {
-        const FixedList<scalar, 4>& m = motion[i];
-        all.set
-        (
-            i, new snapshot(sides[i], current, vector(m[0], m[1], m[2])/m[3])
-        );
+        all.set(i, new snapshot(sides[i], current, motions[i]));
         boxes[i] = all[i].box;
     }
     overRanks(boxes, [](boundBox& a, const boundBox& b)

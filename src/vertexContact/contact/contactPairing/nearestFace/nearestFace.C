@@ -344,6 +344,30 @@ void Foam::contactPairings::nearestFace::look(const scalar time)
 }
 
 
+Foam::label Foam::contactPairings::nearestFace::moved
+(
+    const scalar time,
+    const scalar share,
+    const contactSurface::bodyMotion& bodies
+)
+{
+    return
+        minusMotion_.moved(time, share, bodies)
+      | plusMotion_.moved(time, share, bodies);
+}
+
+
+void Foam::contactPairings::nearestFace::setFrame
+(
+    const scalar time,
+    const contactSurface::bodyMotion& bodies
+)
+{
+    minusMotion_.setFrame(time, bodies);
+    plusMotion_.setFrame(time, bodies);
+}
+
+
 Foam::scalar Foam::contactPairings::nearestFace::left(const scalar share) const
 {
     return min(minusMotion_.left(share), plusMotion_.left(share));
@@ -430,9 +454,10 @@ void Foam::contactPairings::nearestFace::follow
     const scalar along = near ? close : any;
 
     // What both sides have in common changes nothing between them
-    const vector frame(0.5*(minus.velocity + plus.velocity));
-    minusMotion_.start(time, along, any, frame);
-    plusMotion_.start(time, along, any, frame);
+    const auto bodies =
+        contactSurface::bodyMotion::common(minus.motion, plus.motion);
+    minusMotion_.start(time, along, any, bodies);
+    plusMotion_.start(time, along, any, bodies);
 }
 
 

@@ -55,6 +55,51 @@ void Foam::surfaceMotion::wayOf
 }
 
 
+void Foam::surfaceMotion::findWays
+(
+    const vector& by,
+    scalar& most,
+    scalar& along
+) const
+{
+    most = along = 0;
+    if (from_.empty()) return;
+
+    const label d = side_.body->dual().nDim();
+    scalar carried[3], way[3];
+    for (label i = 0; i < d; ++i)
+    {
+        carried[i] = by[side_.body->dual().directions()[i]];
+    }
+    forAll(nodes(), place)
+    {
+        wayOf(place, carried, way);
+        scalar moved = 0;
+        for (label i = 0; i < d; ++i) moved += sqr(way[i]);
+        most = max(most, moved);
+    }
+    along = most;
+    if (along_ < any_)
+    {
+        along = 0;
+        const labelList& place = side_.body->surface(side_.patchi).place;
+        forAll(place, k)
+        {
+            wayOf(place[k], carried, way);
+            scalar moved = 0, off = 0;
+            for (label i = 0; i < d; ++i)
+            {
+                moved += sqr(way[i]);
+                off += way[i]*normal_[k*d + i];
+            }
+            along = max(along, moved - sqr(off));
+        }
+    }
+    most = std::sqrt(most);
+    along = std::sqrt(along);
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::surfaceMotion::surfaceMotion(const contactSide& side)
@@ -78,7 +123,7 @@ void Foam::surfaceMotion::start
     const scalar time,
     const scalar along,
     const scalar any,
-    const vector& frame
+    const contactSurface::bodyMotion& bodies
 )
 {
     const label d = side_.body->dual().nDim();
@@ -93,49 +138,26 @@ void Foam::surfaceMotion::start
     along_ = along;
     any_ = any;
     mostAlong_ = most_ = 0;
-    frame_ = frame;
+    place_ = bodies.displacement;
+    way_ = vector::zero;
+    frame_ = bodies.velocity;
     since_ = last_ = time;
 }
 
 
-void Foam::surfaceMotion::look(const scalar time)
+Foam::label Foam::surfaceMotion::moved
+(
+    const scalar time,
+    const scalar share,
+    const contactSurface::bodyMotion& bodies
+)
 {
-    if (from_.empty()) return;
-
-    const label d = side_.body->dual().nDim();
-    scalar carried[3], way[3];
-    for (label i = 0; i < d; ++i)
-    {
-        carried[i] =
-            (time - since_)*frame_[side_.body->dual().directions()[i]];
-    }
-    scalar most = 0;
-    forAll(nodes(), place)
-    {
-        wayOf(place, carried, way);
-        scalar moved = 0;
-        for (label i = 0; i < d; ++i) moved += sqr(way[i]);
-        most = max(most, moved);
-    }
-    scalar along = most;
-    if (along_ < any_)
-    {
-        along = 0;
-        const labelList& place = side_.body->surface(side_.patchi).place;
-        forAll(place, k)
-        {
-            wayOf(place[k], carried, way);
-            scalar moved = 0, off = 0;
-            for (label i = 0; i < d; ++i)
-            {
-                moved += sqr(way[i]);
-                off += way[i]*normal_[k*d + i];
-            }
-            along = max(along, moved - sqr(off));
-        }
-    }
-    most_ = std::sqrt(most);
-    mostAlong_ = std::sqrt(along);
+    look(time);
+    scalar most, along;
+    findWays(bodies.displacement - place_, most, along);
+    return
+        label(left(share) < 0)
+      + 2*label(along > share*along_ || most > share*any_);
 }
 
 
