@@ -77,11 +77,12 @@ void Foam::contactSystem::solve(const scalar time, const bool firstStage)
 void Foam::contactSystem::pair(const scalar time, const bool all)
 {
     const stopwatch watch(pairingSeconds_);
+    bool found = false;
     for (contactInterface& contact : interfaces_)
     {
-        if (contact.moves()) contact.update(time, all);
+        if (contact.moves()) found = contact.update(time, all) || found;
     }
-    ++nPairings_;
+    nPairings_ += found;
 }
 
 

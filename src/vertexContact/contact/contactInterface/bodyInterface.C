@@ -635,7 +635,7 @@ Foam::Pair<Foam::string> Foam::bodyInterface::namesOf
 }
 
 
-void Foam::bodyInterface::update(const scalar time, const bool all)
+bool Foam::bodyInterface::update(const scalar time, const bool all)
 {
     const PtrList<contactSurface::snapshot> now
     (
@@ -647,11 +647,12 @@ void Foam::bodyInterface::update(const scalar time, const bool all)
             contactSurface::bodyMotion::common(now[0].motion, now[1].motion);
         const auto both = [](const label a, const label b) { return a | b; };
         const label moved = returnReduce(this->moved(time, bodies), both);
-        if (!again(time, moved, bodies)) return;
+        if (!again(time, moved, bodies)) return false;
     }
     pairing_->update(time, now[0], now[1]);
     resize();
     if (!pairing_->active()) statistics_ = statistics();
+    return true;
 }
 
 

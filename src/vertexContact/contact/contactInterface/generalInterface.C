@@ -270,7 +270,7 @@ bool Foam::generalInterface::outdated(const scalar time)
 }
 
 
-void Foam::generalInterface::update(const scalar time, const bool all)
+bool Foam::generalInterface::update(const scalar time, const bool all)
 {
     const List<contactSurface::bodyMotion> motions
     (
@@ -427,6 +427,7 @@ void Foam::generalInterface::update(const scalar time, const bool all)
     active_.transfer(active);
     summed_.transfer(summed);
     join();
+    return meet.size() || isOld.found(false);
 }
 
 

@@ -388,7 +388,7 @@ bool Foam::obstacleInterface::outdated(const scalar time)
 }
 
 
-void Foam::obstacleInterface::update(const scalar time, const bool)
+bool Foam::obstacleInterface::update(const scalar time, const bool)
 {
     const dualPatch& patch = side_.body->dual().patches()[side_.patchi];
     motion_.setTime(time);
@@ -450,6 +450,7 @@ void Foam::obstacleInterface::update(const scalar time, const bool)
     (
         time, allowed_, allowed_, {vector::zero, vector::zero}
     );
+    return true;
 }
 
 
