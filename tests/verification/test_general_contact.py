@@ -238,11 +238,14 @@ def test_two_of_many(tmp_path):
 
 
 def test_check_contact(tmp_path):
-    """The utility reports the pairs that are near."""
+    """The utility reports the pairs that have anything opposite each other."""
     c = case(tmp_path/"c", ALL, squares(gap=0.01))
     log = checked(["checkContact"], c.path)
     assert "8 surfaces" in log and "Contact OK" in log
     assert "Interface all.square00.right-square10.left" in log
+    assert log.count("Interface all.") == 4
+    assert "Nothing is opposite anything in 32 more pairs" in log
+    assert len(list(c.path.glob("postProcessing/checkContact/0/*.vtk"))) == 4
 
 
 EVERY = ("(square00 right)", "(square00 top)", "(square01 right)",

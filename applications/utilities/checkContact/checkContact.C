@@ -14,6 +14,9 @@ Description
     Reads a case as vertexContactFoam does, prints what lies opposite what and
     how well values and forces cross, and fails what a run would suffer from.
 
+    Of general contact it looks at the pairs of surfaces that have anything
+    opposite each other.
+
     Writes postProcessing/checkContact/\<time\>/\<interface\>.vtk: a vertex on
     the first side and a line to the other for each overlap, or for each corner
     opposite an obstacle, with what was found there as cell data.
@@ -147,14 +150,20 @@ int main(int argc, char *argv[])
         {
             if (all.many()) all.report(Info);
         }
+        label nApart = 0;
         for (const contactInterface& all : solids.interfaces())
         for (const contactInterface& contact : all.parts())
         {
+            const auto* bodies = dynamic_cast<const bodyInterface*>(&contact);
+            if (all.many() && bodies && !bodies->pairing().active())
+            {
+                ++nApart;
+                continue;
+            }
             contact.report(Info);
             contactReport report(contact);
             contactLines lines;
 
-            const auto* bodies = dynamic_cast<const bodyInterface*>(&contact);
             const auto* obstacle =
                 dynamic_cast<const obstacleInterface*>(&contact);
             if (bodies)
@@ -173,6 +182,11 @@ int main(int argc, char *argv[])
             Info<< endl;
         }
 
+        if (nApart)
+        {
+            Info<< "Nothing is opposite anything in " << nApart
+                << " more pairs that are near." << nl << endl;
+        }
         if (solids.interfaces().empty())
         {
             Info<< "No contact interfaces." << nl << endl;
