@@ -39,12 +39,31 @@ void Foam::bodySurface::findSizes
         }
         centre /= size;
         const scalar width = size > 1 ? meanEdge(X, size) : depth[start];
-        leastWidth = min(leastWidth, width);
+        leastWidth = min(leastWidth, size > 2 ? across(X, size) : width);
         reach = max(reach, width);
         for (label j = 0; j < size; ++j) reach = max(reach, mag(X[j] - centre));
     });
     reduce(leastWidth, minOp<scalar>());
     reduce(reach, maxOp<scalar>());
+}
+
+
+Foam::scalar Foam::bodySurface::across
+(
+    const FixedList<point, 4>& x,
+    const label size
+)
+{
+    scalar longest = 0;
+    for (label i = 0; i < size; ++i)
+    {
+        longest = max(longest, mag(x[(i + 1) % size] - x[i]));
+    }
+    const scalar twiceArea =
+        size > 3
+      ? mag((x[2] - x[0]) ^ (x[3] - x[1]))
+      : mag((x[1] - x[0]) ^ (x[2] - x[0]));
+    return (size > 3 ? 0.5 : 1)*twiceArea/max(longest, VSMALL);
 }
 
 
