@@ -34,9 +34,9 @@ SCENES = {
     **{f"impedance 1e6 by {by}, {d}D": (impedance, {
         "dimensions": d, "by": by, "ratio": 1e6})
         for d, by in ((1, "both"), (1, "rho"), (1, "E"), (2, "both"))},
-    **{f"faces 1:64, {pairing}": (faces, {
-        "dimensions": 2, "pairing": pairing, "ratio": 64})
-        for pairing in ("AMI", "nearestFace")},
+    **{f"faces 1:64, {d}D, {pairing}": (faces, {
+        "dimensions": d, "pairing": pairing, "ratio": 64})
+        for d in (2, 3) for pairing in ("AMI", "nearestFace")},
     **{f"pressure across 1:64, {d}D, {pairing}": (pressed, {
         "dimensions": d, "pairing": pairing, "ratio": 64})
         for d in (2, 3) for pairing in ("AMI", "nearestFace")},
