@@ -245,11 +245,11 @@ bool Foam::generalInterface::outdated(const scalar time)
     bool is = false;
     for (surfaceMotion& motion : motions_) is = motion.exceeded(time) || is;
 
-    List<boundBox> velocities(surfaces_.size());
+    velocities_.setSize(surfaces_.size());
     forAll(surfaces_, i)
     {
         const contactSide& side = surfaces_[i];
-        velocities[i] = side.body->surfaceVelocities(side.patchi, time);
+        velocities_[i] = side.body->surfaceVelocities(side.patchi, time);
     }
     forAll(watched_, i)
     {
@@ -258,8 +258,8 @@ bool Foam::generalInterface::outdated(const scalar time)
             (time - lastWatch_)
            *max
             (
-                surfaceMotion::fastest(velocities[w.sides.first()], w.frame),
-                surfaceMotion::fastest(velocities[w.sides.second()], w.frame)
+                surfaceMotion::fastest(velocities_[w.sides.first()], w.frame),
+                surfaceMotion::fastest(velocities_[w.sides.second()], w.frame)
             );
         if (w.left >= 0) continue;
         w.left = parts_[i].left(time);
@@ -427,7 +427,7 @@ bool Foam::generalInterface::update(const scalar time, const bool all)
     active_.transfer(active);
     summed_.transfer(summed);
     join();
-    return meet.size() || isOld.found(false);
+    return meet.size() || isOld.find(false) >= 0;
 }
 
 

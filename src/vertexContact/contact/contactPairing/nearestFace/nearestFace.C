@@ -368,9 +368,9 @@ void Foam::contactPairings::nearestFace::setFrame
 }
 
 
-Foam::scalar Foam::contactPairings::nearestFace::left(const scalar share) const
+Foam::scalar Foam::contactPairings::nearestFace::left() const
 {
-    return min(minusMotion_.left(share), plusMotion_.left(share));
+    return min(minusMotion_.left(), plusMotion_.left());
 }
 
 
