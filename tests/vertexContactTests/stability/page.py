@@ -81,9 +81,11 @@ POOR = (
     """Without friction blocks slide off soft bases: that is physics. Half of
     one, held by a mirror, swings with its base for a million steps and
     longer (rest under gravity).""",
-    """Rubber of a Poisson's ratio of 0.4999 that is squeezed by 40 % of its
-    volume and let go gains energy within a few steps, with preset fast or with
-    native cells (release).""",
+    """Rubber of a Poisson's ratio of 0.49 or more that is let go from another
+    volume, 40 % less or 60 % more, gains energy or stops within a few steps:
+    with native and simplicialSingle cells, and at 0.4999, squeezed, with any in
+    three dimensions. Nothing resists the rate of the volume since November
+    2026; before, most of these were stable (release).""",
     """Bodies that start inside each other are pushed apart, which takes energy
     from nowhere (gap).""")
 
@@ -92,9 +94,10 @@ NOTES = {
     "release": """A step is as long as is stable in the state in which it
     begins. Where pressures of hundreds of times the modulus are let go the
     body gets stiffer within a step: for a few steps what should dissipate
-    feeds instead. A third of the step (maxCo 0.3) is stable where 0.9 and 0.45
-    are not (2D, simplicial, fast). Balances of 0.05 to 0.12 are the accuracy
-    of such a step, no gain: 0.06 becomes 0.015 with half of it.""",
+    feeds instead. With maxCo 0.6 what was squeezed is stable in 3D with
+    simplicial cells, and with simplicialSingle ones at 0.499; with native
+    cells no step helps. Balances of 0.05 to 0.12 are the accuracy of such a
+    step, no gain: 0.12 becomes 0.05 with two thirds of it.""",
     "gap": """Surfaces that are inside each other at the start part at the
     speed gap/tau, tau being the time of a wave through the cells there. What
     that takes nobody has given: it is the rise of bars that begin 0.05 of a
