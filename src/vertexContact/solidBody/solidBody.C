@@ -612,13 +612,13 @@ void Foam::solidBody::prepare
     if (rigid_.valid()) return;
     if (data_.variational)
     {
-        nBad_ = scheme_->deform();
+        nBad_ = scheme_->computeForces(stretchedWaves_ && wavesAnew);
     }
     else
     {
         kernel_->velocities(data_);
     }
-    if (moved)
+    if (moved && !data_.variational)
     {
         passTimes::timed(passTimes::stress, [&]
         {

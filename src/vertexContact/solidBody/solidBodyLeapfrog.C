@@ -63,8 +63,6 @@ void Foam::solidBody::findCompliances()
 
 void Foam::solidBody::computeForces()
 {
-    scheme_->computeForces();
-
     const label d = dual_.nDim();
     externalForce_ = Zero;
     bool loaded = false;

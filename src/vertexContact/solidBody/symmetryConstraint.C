@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "symmetryConstraint.H"
+#include <algorithm>
 #include "solidTensor.H"
 #include "DynamicList.H"
 
@@ -52,10 +53,12 @@ void Foam::symmetryConstraint::symmetriseTensors
 (
     scalar* data,
     const label stride,
-    const labelUList& place
+    const labelUList& place,
+    const label first,
+    const label end
 ) const
 {
-    forAll(nodes_, a)
+    for (label a = first; a < end; ++a)
     {
         scalar* p = data + nodes_[a]*stride;
         scalar T[D][D];
@@ -247,6 +250,33 @@ Foam::scalar Foam::symmetryConstraint::project
 }
 
 
+void Foam::symmetryConstraint::symmetriseTensors
+(
+    scalar* data,
+    const label stride,
+    const labelUList& place,
+    const label firstNode,
+    const label endNode
+) const
+{
+    const auto placeOf = [this](const label node)
+    {
+        return label
+        (
+            std::lower_bound(nodes_.begin(), nodes_.end(), node)
+          - nodes_.begin()
+        );
+    };
+    withDirections(nDim_, [&](auto D)
+    {
+        symmetriseTensors<D.value>
+        (
+            data, stride, place, placeOf(firstNode), placeOf(endNode)
+        );
+    });
+}
+
+
 void Foam::symmetryConstraint::symmetrise
 (
     scalar* data,
@@ -259,7 +289,7 @@ void Foam::symmetryConstraint::symmetrise
     {
         withDirections(nDim_, [&](auto D)
         {
-            symmetriseTensors<D.value>(data, stride, place);
+            symmetriseTensors<D.value>(data, stride, place, 0, nodes_.size());
         });
         return;
     }

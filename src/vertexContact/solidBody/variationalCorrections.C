@@ -67,7 +67,8 @@ template<bool corrects>
 label variationalKernelTemplate<D, finite>::correctLoop
 (
     vertexData& d,
-    variationalData& x
+    variationalData& x,
+    edgePass& pass
 )
 {
     constexpr int sT = D*sA;
@@ -78,6 +79,7 @@ label variationalKernelTemplate<D, finite>::correctLoop
     scalar* sensor = x.sensor.data();
     scalar* rates = d.rates.data();
     lanes closing{}, opening{};
+    if (pass.edge == 0) x.closing = x.fastest = 0;
 
     // In 2D and 3D: sums of the first node, in registers as long as it is the
     // same. In 2D both columns are one row
@@ -117,7 +119,8 @@ label variationalKernelTemplate<D, finite>::correctLoop
         }
     };
 
-    completeNodes complete(x.lateNodes);
+    completeNodes complete(x.lateNodes, pass);
+    const label firstLate = pass.late;
     label nBad = 0;
     // Apart from the loops, for which there are registers enough without it
     const auto completeBefore = [&](const label end) __attribute__((noinline))
@@ -130,7 +133,7 @@ label variationalKernelTemplate<D, finite>::correctLoop
         });
     };
 
-    edgeBlocks block(d.dual, x.toMeet);
+    edgeBlocks block(d.dual, x.toMeet, pass);
     const auto begin = [&](const index a)
     {
         zeroAt<sT>(correction + a*sT);
@@ -404,15 +407,13 @@ label variationalKernelTemplate<D, finite>::correctLoop
         }
     }
     keep();
-    block.rest(begin);
-    completeBefore(d.nNodes());
-    if constexpr (D > 1)
+    completeBefore(block.leave(pass, begin));
+    for (label late = firstLate; D > 1 && late < pass.late; ++late)
     {
         // Before the sums over processors: those of the rates follow
-        for (const label a : x.lateNodes) takeForce(d, x, a);
+        takeForce(d, x, x.lateNodes[late]);
     }
 
-    x.closing = x.fastest = 0;
     for (int l = 0; l < nLanes; ++l)
     {
         x.closing = max(x.closing, closing[l]);
@@ -426,10 +427,14 @@ template<int D, bool finite>
 label variationalKernelTemplate<D, finite>::correct
 (
     vertexData& d,
-    variationalData& x
+    variationalData& x,
+    edgePass& pass
 ) const
 {
-    return x.beta > 0 ? correctLoop<true>(d, x) : correctLoop<false>(d, x);
+    return
+        x.beta > 0
+      ? correctLoop<true>(d, x, pass)
+      : correctLoop<false>(d, x, pass);
 }
 
 } // End namespace Foam

@@ -46,7 +46,8 @@ template<bool corrects>
 void variationalKernelTemplate<D, finite>::fluxLoop
 (
     vertexData& d,
-    variationalData& x
+    variationalData& x,
+    edgePass& pass
 )
 {
     const scalar* P = d.W.cdata() + d.offsetP();
@@ -99,13 +100,13 @@ void variationalKernelTemplate<D, finite>::fluxLoop
         }
     };
 
-    completeNodes complete(x.lateNodes);
+    completeNodes complete(x.lateNodes, pass);
     const auto completeBefore = [&](const label end) __attribute__((noinline))
     {
         complete.before(end, [&](const index a) { stressNode(x, d, a); });
     };
 
-    edgeBlocks block(d.dual, x.toMeet);
+    edgeBlocks block(d.dual, x.toMeet, pass);
     const scalar* factors = d.waveFactor.cdata();
     const bool stretched = d.waveFactor.size();
     const auto begin = [&](const index a)
@@ -374,8 +375,7 @@ void variationalKernelTemplate<D, finite>::fluxLoop
         }
     }
     keep();
-    block.rest(begin);
-    completeBefore(d.nNodes());
+    completeBefore(block.leave(pass, begin));
 }
 
 
@@ -385,10 +385,11 @@ template<int D, bool finite>
 void variationalKernelTemplate<D, finite>::fluxes
 (
     vertexData& d,
-    variationalData& x
+    variationalData& x,
+    edgePass& pass
 ) const
 {
-    x.beta > 0 ? fluxLoop<true>(d, x) : fluxLoop<false>(d, x);
+    x.beta > 0 ? fluxLoop<true>(d, x, pass) : fluxLoop<false>(d, x, pass);
 }
 
 
@@ -409,7 +410,8 @@ void variationalKernelTemplate<D, finite>::sumWaves
     index node = -1;
     row<sK> sum{};
 
-    edgeBlocks block(d.dual, x.toMeet);
+    edgePass pass(d.dual.nEdges());
+    edgeBlocks block(d.dual, x.toMeet, pass);
     const auto begin = [&](const index a) { zeroAt<sK>(waves + a*sK); };
     for (; block.valid(); ++block)
     {
@@ -485,7 +487,7 @@ void variationalKernelTemplate<D, finite>::sumWaves
         }
     }
     if (node >= 0) rowAt<sK>(waves + node*sK) = sum;
-    block.rest(begin);
+    block.leave(pass, begin);
 }
 
 } // End namespace Foam

@@ -181,6 +181,7 @@ void Foam::variationalData::joinPairs(const medianDual& dual)
     }
     pairNodes.setSize(2*last);
     pairArea.setSize(last*nDim);
+    edgeBlocks::meetPairs(toMeet, dual, pairNodes);
 }
 
 

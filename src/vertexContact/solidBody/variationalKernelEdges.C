@@ -24,7 +24,8 @@ template<int D, bool finite>
 label variationalKernelTemplate<D, finite>::gradients
 (
     variationalData& x,
-    const vertexData& d
+    const vertexData& d,
+    edgePass& pass
 ) const
 {
     const label* edge = d.dual.edgeNodes().cdata();
@@ -35,8 +36,9 @@ label variationalKernelTemplate<D, finite>::gradients
 
     // Edges, and pairs, are sorted by their first node: with the last of its
     // own, all of a node are done
-    index e = 0, pair = 0, met = 0;
-    completeNodes complete(x.lateNodes);
+    index e = pass.edge, pair = pass.pair, met = pass.met;
+    const index start = pass.complete, end = endOf(d, pass);
+    completeNodes complete(x.lateNodes, pass);
     label nBad = 0;
     const auto completeBefore = [&](const label end)
     {
@@ -53,6 +55,12 @@ label variationalKernelTemplate<D, finite>::gradients
             zeroAt<sA*D>(grad + met*D*sA);
         }
     };
+    const auto leave = [&]()
+    {
+        pass.edge = e;
+        pass.pair = pair;
+        pass.met = met;
+    };
     if constexpr (D == 2)
     {
         // Both columns in a row, twice what they are until the node is complete
@@ -60,9 +68,9 @@ label variationalKernelTemplate<D, finite>::gradients
         {
             return twiceAt(U + a*sU + atU);
         };
-        label nextLate = 0;
+        label nextLate = pass.late;
         const label nLate = x.lateNodes.size();
-        for (index a = 0; a < d.nNodes(); ++a)
+        for (index a = start; a < end; ++a)
         {
             meet(e < nEdges ? x.toMeet[e/nLanes] : d.nNodes());
             const row<8> Ua = twice(a);
@@ -100,9 +108,12 @@ label variationalKernelTemplate<D, finite>::gradients
                 rowAt<8>(grad + a*8) = sum;
             }
         }
+        pass.late = nextLate;
+        pass.complete = end;
+        leave();
         return nBad;
     }
-    for (index a = 0; a < d.nNodes(); ++a)
+    for (index a = start; a < end; ++a)
     {
         meet(e < nEdges ? x.toMeet[e/nLanes] : d.nNodes());
         scalar* ga = grad + a*D*sA;
@@ -140,7 +151,8 @@ label variationalKernelTemplate<D, finite>::gradients
         for (int j = 0; j < D; ++j) rowAt<sA>(ga + j*sA) = sumA[j]*perV;
         if (a % nLanes == nLanes - 1) completeBefore(a + 1);
     }
-    completeBefore(d.nNodes());
+    completeBefore(end);
+    leave();
     return nBad;
 }
 
@@ -186,7 +198,8 @@ template<int D, bool finite>
 void variationalKernelTemplate<D, finite>::forces
 (
     vertexData& d,
-    const variationalData& x
+    const variationalData& x,
+    edgePass& pass
 ) const
 {
     const label* edge = d.dual.edgeNodes().cdata();
@@ -198,10 +211,12 @@ void variationalKernelTemplate<D, finite>::forces
     constexpr int w = 2*second;
 
     const label nPairs = x.pairNodes.size()/2;
-    for (label p = 0; p < nPairs; ++p)
+    const index start = pass.complete, end = endOf(d, pass);
+    label& pair = pass.pair;
+    for (; pair < nPairs && x.pairNodes[2*pair] < end; ++pair)
     {
-        const index a = x.pairNodes[2*p], b = x.pairNodes[2*p + 1];
-        const scalar* B = x.pairArea.cdata() + D*p;
+        const index a = x.pairNodes[2*pair], b = x.pairNodes[2*pair + 1];
+        const scalar* B = x.pairArea.cdata() + D*pair;
         row<w> f{};
         for (int j = 0; j < D; ++j)
         {
@@ -213,11 +228,18 @@ void variationalKernelTemplate<D, finite>::forces
         rowAt<w>(rates + b*sR) -= f;
     }
 
-    index e = 0, farthest = -1;
+    index e = pass.edge, farthest = pass.met - 1;
+    const auto leave = [&]()
+    {
+        pass.edge = e;
+        pass.met = farthest + 1;
+        pass.complete = end;
+    };
+
     if constexpr (D == 2)
     {
         // Both columns in a row
-        for (index a = 0; a < d.nNodes(); ++a)
+        for (index a = start; a < end; ++a)
         {
             const row<8> Ta = rowAt<8>(T + a*8);
             row<8> both{};
@@ -245,9 +267,10 @@ void variationalKernelTemplate<D, finite>::forces
             rowAt<4>(rate) =
                 row<4>{sum[0] + sum[2], sum[1] + sum[3], sum[2], sum[3]};
         }
+        leave();
         return;
     }
-    for (index a = 0; a < d.nNodes(); ++a)
+    for (index a = start; a < end; ++a)
     {
         row<w> Ta[D], sum = rowAt<w>(rates + a*sR);
         for (int j = 0; j < D; ++j) Ta[j] = rowAt<w>(T + (a*D + j)*sA);
@@ -279,6 +302,7 @@ void variationalKernelTemplate<D, finite>::forces
         rowAt<w>(rate) = sum;
         for (int i = 0; i < D; ++i) rate[i] = sum[i] + sum[second + i];
     }
+    leave();
 }
 
 } // End namespace Foam

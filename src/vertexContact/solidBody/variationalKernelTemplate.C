@@ -120,11 +120,16 @@ template<int D, bool finite>
 label variationalKernelTemplate<D, finite>::deform
 (
     variationalData& x,
-    const vertexData&
+    const vertexData&,
+    const label first,
+    const label end
 ) const
 {
     label nBad = 0;
-    for (const label a : x.lateNodes) nBad += !deformNode(x, a);
+    for (label late = first; late < end; ++late)
+    {
+        nBad += !deformNode(x, x.lateNodes[late]);
+    }
     return nBad;
 }
 
@@ -133,11 +138,13 @@ template<int D, bool finite>
 label variationalKernelTemplate<D, finite>::kinematics
 (
     vertexData& d,
-    variationalData& x
+    variationalData& x,
+    const label first,
+    const label end
 ) const
 {
     label nBad = 0;
-    forAll(x.lateNodes, late)
+    for (label late = first; late < end; ++late)
     {
         nBad += !moveNode(d, x, x.lateNodes[late]);
         takeJumps(x, x.lateNodes[late]);
@@ -206,10 +213,12 @@ template<int D, bool finite>
 void variationalKernelTemplate<D, finite>::stresses
 (
     variationalData& x,
-    const vertexData& d
+    const vertexData& d,
+    const label first,
+    const label end
 ) const
 {
-    forAll(x.lateNodes, late)
+    for (label late = first; late < end; ++late)
     {
         addJumps(x, late);
         stressNode(x, d, x.lateNodes[late]);

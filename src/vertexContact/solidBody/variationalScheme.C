@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "variationalScheme.H"
+#include "edgeBlocks.H"
 #include "lanczos.H"
 #include "passTimes.H"
 #include "stepLimit.H"
@@ -17,22 +18,24 @@ void Foam::variationalScheme::completeTensors
     scalar* data,
     const label stride,
     const label columnStride,
-    const label offset
+    const label offset,
+    const label first,
+    const label end
 ) const
 {
-    if (symmetry_.active())
+    const label d = dual_.nDim();
+    labelList place(d*d);
+    for (label i = 0; i < d; ++i)
     {
-        const label d = dual_.nDim();
-        labelList place(d*d);
-        for (label i = 0; i < d; ++i)
+        for (label j = 0; j < d; ++j)
         {
-            for (label j = 0; j < d; ++j)
-            {
-                place[i*d + j] = offset + j*columnStride + i;
-            }
+            place[i*d + j] = offset + j*columnStride + i;
         }
-        symmetry_.symmetrise(data, stride, place, 2);
     }
+    symmetry_.symmetriseTensors
+    (
+        data, stride, place, x_.lateNodes[first], x_.lateNodes[end - 1] + 1
+    );
 }
 
 
@@ -153,6 +156,229 @@ void Foam::variationalScheme::findFilter()
 }
 
 
+void Foam::variationalScheme::start()
+{
+    for (edgePass& pass : passes_) pass = edgePass(-1);
+    for (label& n : nLate_) n = 0;
+    stressed_ = 0;
+    nBad_ = passTimes::timed(passTimes::velocities, [&]
+    {
+        return collected_ ? nBadCollected_ : kernel_.collect(data_, x_);
+    });
+    collected_ = false;
+}
+
+
+Foam::label Foam::variationalScheme::completeOf(const label p) const
+{
+    const label complete = passes_[p].complete;
+    return
+        nLate_[p] < x_.lateNodes.size()
+      ? min(complete, x_.lateNodes[nLate_[p]])
+      : complete;
+}
+
+
+void Foam::variationalScheme::goOn(const label p, const label end)
+{
+    typedef passTimes times;
+    edgePass& pass = passes_[p];
+    pass.end = end;
+    switch (p)
+    {
+        case gradients:
+        {
+            nBad_ += times::timed(times::gradients, [&]
+            {
+                return kernel_.gradients(x_, data_, pass);
+            });
+            break;
+        }
+        case corrections:
+        {
+            nBad_ += times::timed(times::corrections, [&]
+            {
+                return kernel_.correct(data_, x_, pass);
+            });
+            break;
+        }
+        case fluxes:
+        {
+            times::timed(times::fluxes, [&]
+            {
+                kernel_.fluxes(data_, x_, pass);
+            });
+            break;
+        }
+        default:
+        {
+            times::timed(times::forces, [&]
+            {
+                kernel_.forces(data_, x_, pass);
+            });
+        }
+    }
+
+    // What mirrors alone wait for is complete with the last edge, too
+    if (p < forces && !dual_.sharing().active()) completeLate(p, pass.late);
+}
+
+
+void Foam::variationalScheme::sweep(const label last)
+{
+    const label nEdges = dual_.nEdges();
+    const auto mayGo = [&](const label p)
+    {
+        const edgePass& pass = passes_[p];
+        return
+            p == gradients
+          ? min(max(pass.end, label(0)) + tile, nEdges)
+          : edgeBlocks::mayGo
+            (
+                dual_, x_.toMeet, pass.end, completeOf(p - 1)
+            );
+    };
+    bool further = true;
+    while (further)
+    {
+        further = false;
+        for (label p = gradients; p <= last; ++p)
+        {
+            if (p == fluxes) findStress(completeOf(corrections));
+            const label end = mayGo(p);
+            if (end > passes_[p].end)
+            {
+                goOn(p, end);
+                further = true;
+            }
+        }
+    }
+}
+
+
+void Foam::variationalScheme::findStress(const label end)
+{
+    if (stressed_ >= end) return;
+    passTimes::timed(passTimes::stress, [&]
+    {
+        material_.stressOf
+        (
+            data_.state,
+            data_.W.data() + data_.offsetP(),
+            data_.nSJ ? data_.W.data() + data_.nDim() : nullptr,
+            data_.strideW,
+            stressed_,
+            end
+        );
+    });
+    stressed_ = end;
+}
+
+
+void Foam::variationalScheme::completeLate(const label p, const label end)
+{
+    const label first = nLate_[p];
+    if (first == end) return;
+    nLate_[p] = end;
+
+    const label d = dual_.nDim();
+    const label sA = variationalLayout::strideColumn(d);
+    const auto complete = [&](alignedScalars& data, const label offset)
+    {
+        if (!symmetry_.active()) return;
+        completeTensors(data.data(), d*sA, sA, offset, first, end);
+    };
+    typedef passTimes times;
+    if (p == gradients)
+    {
+        nBad_ += times::timed(times::inverses, [&]
+        {
+            complete(x_.grad, 0);
+            complete(x_.grad, variationalLayout::second(d));
+            return kernel_.deform(x_, data_, first, end);
+        });
+    }
+    else if (p == corrections)
+    {
+        nBad_ += times::timed(times::kinematics, [&]
+        {
+            if (x_.beta > 0) complete(x_.adjoint, 0);
+            if (d > 1)
+            {
+                complete
+                (
+                    x_.adjoint, variationalLayout::atJump(d, x_.beta > 0)
+                );
+            }
+            return kernel_.kinematics(data_, x_, first, end);
+        });
+    }
+    else
+    {
+        times::timed(times::adjoint, [&]
+        {
+            complete(x_.adjoint, 0);
+            complete(x_.adjoint, variationalLayout::second(d));
+            kernel_.stresses(x_, data_, first, end);
+        });
+    }
+}
+
+
+void Foam::variationalScheme::complete(const label p)
+{
+    const label d = dual_.nDim();
+    const label sA = variationalLayout::strideColumn(d);
+    const label sS = variationalLayout::strideSensor(d);
+    passTimes::timed(passTimes::processors, [&]
+    {
+        const nodeSharing& sharing = dual_.sharing();
+        if (p == gradients)
+        {
+            sharing.sum(x_.grad.data(), d*sA);
+        }
+        else if (p == fluxes)
+        {
+            sharing.sum(x_.adjoint.data(), d*sA);
+        }
+        else if (d > 1 || x_.beta > 0)
+        {
+            sharing.sum({{x_.adjoint.data(), d*sA}, {x_.sensor.data(), sS}});
+        }
+        else
+        {
+            sharing.sum(x_.sensor.data(), sS);
+        }
+    });
+    completeLate(p, x_.lateNodes.size());
+}
+
+
+void Foam::variationalScheme::findJacobian()
+{
+    passTimes::timed(passTimes::volume, [&]
+    {
+        smoothJacobian();
+        data_.state.J = x_.jacobian;
+    });
+}
+
+
+void Foam::variationalScheme::smoothPressure()
+{
+    // SigmaJ where it acts, S SigmaJ, in place of that of the smoothed J
+    passTimes::timed(passTimes::volume, [&]
+    {
+        forAll(x_.jacobian, a)
+        {
+            x_.jacobian[a] = data_.W[a*data_.strideW + dual_.nDim()];
+        }
+        smoothJacobian();
+        kernel_.addPressure(data_, x_);
+    });
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::variationalScheme::variationalScheme
@@ -196,111 +422,42 @@ Foam::variationalScheme::variationalScheme
 
 Foam::label Foam::variationalScheme::deform()
 {
-    const label d = dual_.nDim();
-    const label sA = variationalLayout::strideColumn(d);
-    const label sS = variationalLayout::strideSensor(d);
-
-    typedef passTimes times;
-    label nBad = times::timed(times::velocities, [&]
-    {
-        return
-            collected_ ? nBadCollected_ : kernel_.collect(data_, x_);
-    });
-    collected_ = false;
-    nBad += times::timed(times::gradients, [&]
-    {
-        return kernel_.gradients(x_, data_);
-    });
-    times::timed(times::processors, [&]
-    {
-        dual_.sharing().sum(x_.grad.data(), d*sA);
-    });
-    nBad += times::timed(times::inverses, [&]
-    {
-        completeTensors(x_.grad.data(), d*sA, sA, 0);
-        completeTensors(x_.grad.data(), d*sA, sA, variationalLayout::second(d));
-        return kernel_.deform(x_, data_);
-    });
-
-    nBad += times::timed(times::corrections, [&]
-    {
-        return kernel_.correct(data_, x_);
-    });
-    times::timed(times::processors, [&]
-    {
-        if (d > 1 || x_.beta > 0)
-        {
-            dual_.sharing().sum
-            (
-                {{x_.adjoint.data(), d*sA}, {x_.sensor.data(), sS}}
-            );
-        }
-        else
-        {
-            dual_.sharing().sum(x_.sensor.data(), sS);
-        }
-    });
-    nBad += times::timed(times::kinematics, [&]
-    {
-        if (x_.beta > 0) completeTensors(x_.adjoint.data(), d*sA, sA, 0);
-        if (d > 1)
-        {
-            completeTensors
-            (
-                x_.adjoint.data(), d*sA, sA,
-                variationalLayout::atJump(d, x_.beta > 0)
-            );
-        }
-        return kernel_.kinematics(data_, x_);
-    });
-
-    if (x_.smoothed)
-    {
-        times::timed(times::volume, [&]
-        {
-            smoothJacobian();
-            data_.state.J = x_.jacobian;
-        });
-    }
-    return nBad;
+    start();
+    sweep(gradients);
+    complete(gradients);
+    sweep(corrections);
+    complete(corrections);
+    if (x_.smoothed) findJacobian();
+    return nBad_;
 }
 
 
-void Foam::variationalScheme::computeForces()
+Foam::label Foam::variationalScheme::computeForces(const bool wavesAnew)
 {
-    const label d = dual_.nDim();
-    const label sA = variationalLayout::strideColumn(d);
+    // What is made of all nodes is waited for, else each pass follows the one
+    // before
+    const bool waits = x_.smoothed || wavesAnew;
+    const label last = waits ? corrections : forces;
 
-    typedef passTimes times;
-    if (x_.smoothed)
+    start();
+    sweep(last);
+    complete(gradients);
+    sweep(last);
+    complete(corrections);
+    if (x_.smoothed) findJacobian();
+    findStress(dual_.nNodes());
+    if (wavesAnew)
     {
-        // SigmaJ where it acts, S SigmaJ, in place of that of the smoothed J
-        times::timed(times::volume, [&]
+        passTimes::timed(passTimes::waveSpeeds, [&]
         {
-            forAll(x_.jacobian, a)
-            {
-                x_.jacobian[a] = data_.W[a*data_.strideW + d];
-            }
-            smoothJacobian();
-            kernel_.addPressure(data_, x_);
+            material_.waveFactors(data_.state, data_.waveFactor);
         });
     }
-
-    times::timed(times::fluxes, [&] { kernel_.fluxes(data_, x_); });
-    times::timed(times::processors, [&]
-    {
-        dual_.sharing().sum(x_.adjoint.data(), d*sA);
-    });
-    times::timed(times::adjoint, [&]
-    {
-        completeTensors(x_.adjoint.data(), d*sA, sA, 0);
-        completeTensors
-        (
-            x_.adjoint.data(), d*sA, sA, variationalLayout::second(d)
-        );
-        kernel_.stresses(x_, data_);
-    });
-    times::timed(times::forces, [&] { kernel_.forces(data_, x_); });
+    if (x_.smoothed) smoothPressure();
+    sweep(forces);
+    complete(fluxes);
+    sweep(forces);
+    return nBad_;
 }
 
 

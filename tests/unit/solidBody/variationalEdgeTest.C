@@ -175,21 +175,34 @@ TEST_CASE("nodes are met before their edges, once", "[variational][serial]")
     label nMet = 0, nEdges = 0, wrong = 0;
     const auto meet = [&](const label a) { wrong += a != nMet++; };
     const labelList toMeet(edgeBlocks::toMeet(dual));
-    edgeBlocks edges(dual, toMeet);
-    for (; edges.valid(); ++edges)
+
+    // In two parts
+    edgePass pass;
+    for (const label end : {10*nLanes, dual.nEdges()})
     {
-        edges.ahead(meet);
-        const label* ends = edges.nodes();
-        for (int l = 0; l < nLanes; ++l)
+        pass.end = end;
+        edgeBlocks edges(dual, toMeet, pass);
+        for (; edges.valid(); ++edges)
         {
-            const label e = min(edges.first() + l, dual.nEdges() - 1);
-            wrong += ends[2*l] != dual.edgeNodes()[2*e];
-            wrong += ends[2*l + 1] != dual.edgeNodes()[2*e + 1];
-            wrong += ends[2*l] >= ends[2*l + 1] || ends[2*l + 1] >= nMet;
+            edges.ahead(meet);
+            const label* ends = edges.nodes();
+            for (int l = 0; l < nLanes; ++l)
+            {
+                const label e = min(edges.first() + l, dual.nEdges() - 1);
+                wrong += ends[2*l] != dual.edgeNodes()[2*e];
+                wrong += ends[2*l + 1] != dual.edgeNodes()[2*e + 1];
+                wrong += ends[2*l] >= ends[2*l + 1] || ends[2*l + 1] >= nMet;
+            }
+            nEdges += edges.size();
         }
-        nEdges += edges.size();
+        const label done = edges.leave(pass, meet);
+        for (label e = 0; e < dual.nEdges(); ++e)
+        {
+            wrong += (dual.edgeNodes()[2*e] < done) && e >= end;
+        }
+        CHECK(pass.met == nMet);
+        CHECK(pass.edge == end);
     }
-    edges.rest(meet);
     CHECK(wrong == 0);
     CHECK(nEdges == dual.nEdges());
     CHECK(nMet == dual.nNodes());
@@ -200,12 +213,49 @@ TEST_CASE("late nodes are left to the caller", "[variational][serial]")
 {
     const labelList late({0, 3, 4, 9});
     DynamicList<label> done;
-    completeNodes complete(late);
+    edgePass pass;
     for (const label end : {0, 2, 2, 4, 10})
     {
+        completeNodes complete(late, pass);
         complete.before(end, [&](const label a) { done.append(a); });
     }
     CHECK(done == labelList({1, 2, 5, 6, 7, 8}));
+    CHECK(pass.complete == 10);
+    CHECK(pass.late == 4);
+}
+
+
+TEST_CASE("a pass goes as far as nodes are complete", "[variational][serial]")
+{
+    meshFactory::block block;
+    block.n = {3, 3, 10};
+    const auto made = meshFactory::make(testTime(), block);
+    const medianDual dual
+    (
+        *made.mesh, medianDual::cellTreatment::simplicial
+    );
+    labelList toMeet(edgeBlocks::toMeet(dual));
+
+    // A pair that reaches farther than any edge
+    const label far = dual.nNodes() - 2;
+    edgeBlocks::meetPairs(toMeet, dual, {20, far});
+    label wrong = 0;
+    for (label complete = 0; complete <= dual.nNodes(); ++complete)
+    {
+        const label end = edgeBlocks::mayGo(dual, toMeet, 0, complete);
+        for (label e = 0; e < end; ++e)
+        {
+            wrong += dual.edgeNodes()[2*e + 1] >= complete;
+            wrong += dual.edgeNodes()[2*e] > 20 && complete <= far;
+        }
+    }
+    CHECK(wrong == 0);
+    CHECK(edgeBlocks::mayGo(dual, toMeet, -1, 0) == -1);
+    CHECK(edgeBlocks::mayGo(dual, toMeet, 0, 40) > 0);
+    CHECK
+    (
+        edgeBlocks::mayGo(dual, toMeet, 0, dual.nNodes()) == dual.nEdges()
+    );
 }
 
 

@@ -239,23 +239,26 @@ SolidTensor<D> flownCpi
     return C;
 }
 
-//- Call f(i, trial) with all nodes and their trial states. Principal values,
-//  most of the time, are those of many nodes at once
+//- Call f(i, trial) with the nodes from one to the one before another, and
+//  their trial states. Principal values, most of the time, are those of many
+//  nodes at once
 template<int D, bool stretched, class Function>
 void forTrialStates
 (
     const initialStretch& initial,
     const conservedState& s,
     const scalar mu,
+    const label from,
+    const label to,
     const Function& f
 )
 {
     SolidTensor<D> b[nLanes];
     principalValues<D> principal[nLanes];
 
-    for (label first = 0; first < s.nNodes; first += nLanes)
+    for (label first = from; first < to; first += nLanes)
     {
-        const label end = min(first + nLanes, s.nNodes);
+        const label end = min(first + nLanes, to);
         for (int l = 0; l < nLanes; ++l)
         {
             const label i = min(first + l, end - 1);
@@ -270,6 +273,19 @@ void forTrialStates
             f(i, trialState<D>(principal[i - first], mu));
         }
     }
+}
+
+//- The same with all nodes
+template<int D, bool stretched, class Function>
+void forTrialStates
+(
+    const initialStretch& initial,
+    const conservedState& s,
+    const scalar mu,
+    const Function& f
+)
+{
+    forTrialStates<D, stretched>(initial, s, mu, 0, s.nNodes, f);
 }
 
 } // End anonymous namespace
@@ -332,7 +348,9 @@ void Foam::HenckyVonMises::stressLoop
     const conservedState& s,
     scalar* __restrict P,
     scalar* __restrict SigmaJ,
-    const label stride
+    const label stride,
+    const label first,
+    const label end
 ) const
 {
     const scalar twoMu = 2*mu(), threeMu = 3*mu();
@@ -390,7 +408,7 @@ void Foam::HenckyVonMises::stressLoop
         }
         if (SigmaJ) SigmaJ[i*stride] = SJ;
     };
-    forTrialStates<D, stretched>(initial(), s, mu(), atNode);
+    forTrialStates<D, stretched>(initial(), s, mu(), first, end, atNode);
 }
 
 
@@ -636,19 +654,24 @@ Foam::scalar Foam::HenckyVonMises::yieldStress(const scalar strain) const
 }
 
 
-void Foam::HenckyVonMises::stress
+void Foam::HenckyVonMises::stressOf
 (
     const conservedState& s,
     scalar* P,
     scalar* SigmaJ,
-    const label stride
+    const label stride,
+    const label first,
+    const label end
 ) const
 {
     withHardening([&](const auto& h)
     {
         withScene(s, [&](auto D, auto stretched)
         {
-            stressLoop<D.value, stretched.value>(h, s, P, SigmaJ, stride);
+            stressLoop<D.value, stretched.value>
+            (
+                h, s, P, SigmaJ, stride, first, end
+            );
         });
     });
 }
