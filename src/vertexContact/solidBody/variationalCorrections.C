@@ -121,6 +121,7 @@ label variationalKernelTemplate<D, finite>::correctLoop
 
     completeNodes complete(x.lateNodes, pass);
     const label firstLate = pass.late;
+    const index places = x.motionPlaces;
     label nBad = 0;
     // Apart from the loops, for which there are registers enough without it
     const auto completeBefore = [&](const label end) __attribute__((noinline))
@@ -157,7 +158,7 @@ label variationalKernelTemplate<D, finite>::correctLoop
         const scalar* C = x.area.cdata() + e*D;
         const scalar* r = x.reach.cdata() + e*D;
         const scalar* k = x.jumpStiffness.cdata() + e;
-        scalar* motion = x.motion.data() + e*nM;
+        scalar* motion = x.motion.data() + (e & places)*nM;
 
         lanes dx[D], dv[D], change[D], acceleration[D];
         const auto setEdge = [&](const lanes* U)

@@ -60,6 +60,7 @@ void variationalKernelTemplate<D, finite>::fluxLoop
     const scalar halfBeta = 0.5*x.beta;
     const scalar halfZp = 0.5*d.rho*d.cp;
     const scalar halfZs = 0.5*d.rho*d.cs;
+    const index places = x.motionPlaces;
     constexpr bool moves = finite && D > 1;
 
     // Sums of S, M and N of both nodes and the smaller M; the least of all,
@@ -268,7 +269,8 @@ void variationalKernelTemplate<D, finite>::fluxLoop
 
         const edgeMotion<D, lanes> m = motionAt<D>
         (
-            x.motion.cdata() + e*nM, reinterpret_cast<const lanes*>(dx)
+            x.motion.cdata() + (e & places)*nM,
+            reinterpret_cast<const lanes*>(dx)
         );
         const lanes leftOut = jumpSensor::leftOut<D, lanes>
         (

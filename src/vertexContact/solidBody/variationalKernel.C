@@ -105,6 +105,17 @@ void Foam::variationalData::setLate(const labelList& nodes, const label nDim)
 }
 
 
+void Foam::variationalData::keepMotion(const label nEdges, const label nDim)
+{
+    // A power of two: places are found without a division
+    label n = nLanes;
+    while (n < nEdges) n *= 2;
+    if (n*variationalLayout::motionOf(nDim) >= motion.size()) return;
+    motion.reset(n*variationalLayout::motionOf(nDim));
+    motionPlaces = n - 1;
+}
+
+
 void Foam::variationalData::addPairs(const dualPatch& patch, const label nDim)
 {
     label pair = pairNodes.size()/2, nPairs = pair;

@@ -271,7 +271,43 @@ void Foam::variationalScheme::findStress(const label end)
             end
         );
     });
+    if (wavesAnew_)
+    {
+        passTimes::timed(passTimes::waveSpeeds, [&]
+        {
+            material_.waveFactorsOf
+            (
+                data_.state, data_.waveFactor, stressed_, end
+            );
+        });
+    }
     stressed_ = end;
+}
+
+
+Foam::label Foam::variationalScheme::mostBetween() const
+{
+    // As sweep() goes, where no node waits for other ranks
+    const label nEdges = dual_.nEdges();
+    const auto nodesBefore = [&](const label edge)
+    {
+        return edge < nEdges ? dual_.edgeNodes()[2*edge] : dual_.nNodes();
+    };
+    label most = 0, ahead = 0, corrected = 0, fluxed = 0;
+    while (fluxed < nEdges)
+    {
+        ahead = min(ahead + tile, nEdges);
+        corrected = edgeBlocks::mayGo
+        (
+            dual_, x_.toMeet, corrected, nodesBefore(ahead)
+        );
+        most = max(most, corrected - fluxed);
+        fluxed = edgeBlocks::mayGo
+        (
+            dual_, x_.toMeet, fluxed, nodesBefore(corrected)
+        );
+    }
+    return most;
 }
 
 
@@ -413,6 +449,10 @@ Foam::variationalScheme::variationalScheme
     labelHashSet late(dual_.sharing().sharedNodes());
     late.insert(symmetry_.nodes());
     x_.setLate(late.sortedToc(), dual_.nDim());
+    if (!x_.smoothed && !dual_.sharing().active())
+    {
+        x_.keepMotion(mostBetween(), dual_.nDim());
+    }
     boundFrequencies();
 }
 
@@ -436,23 +476,17 @@ Foam::label Foam::variationalScheme::computeForces(const bool wavesAnew)
 {
     // What is made of all nodes is waited for, else each pass follows the one
     // before
-    const bool waits = x_.smoothed || wavesAnew;
-    const label last = waits ? corrections : forces;
+    const label last = x_.smoothed ? corrections : forces;
 
     start();
+    wavesAnew_ = wavesAnew;
+    if (wavesAnew) data_.waveFactor.setSize(dual_.nNodes());
     sweep(last);
     complete(gradients);
     sweep(last);
     complete(corrections);
     if (x_.smoothed) findJacobian();
     findStress(dual_.nNodes());
-    if (wavesAnew)
-    {
-        passTimes::timed(passTimes::waveSpeeds, [&]
-        {
-            material_.waveFactors(data_.state, data_.waveFactor);
-        });
-    }
     if (x_.smoothed) smoothPressure();
     sweep(forces);
     complete(fluxes);

@@ -89,13 +89,13 @@ struct scheme
 
     //- Each pass as far as the one before it allows, that is ahead by as little
     //  as it can. \return the largest number of nodes from the first pass to
-    //  the last one
-    label followEachOther()
+    //  the last one, and of edges from the corrections to the fluxes
+    Pair<label> followEachOther()
     {
         const label all = dual.nEdges();
         edgePass passes[4] =
             {edgePass(-1), edgePass(-1), edgePass(-1), edgePass(-1)};
-        label widest = 0;
+        Pair<label> widest(0, 0);
         kernel->collect(d, x);
         while (passes[3].end < all)
         {
@@ -109,11 +109,18 @@ struct scheme
                 );
                 if (end == passes[p].end) continue;
                 passes[p].end = end;
+                widest.second() = max
+                (
+                    widest.second(), passes[1].end - max(passes[2].edge, 0)
+                );
                 if (p == 1) kernel->correct(d, x, passes[p]);
                 else if (p == 2) kernel->fluxes(d, x, passes[p]);
                 else kernel->forces(d, x, passes[p]);
             }
-            widest = max(widest, passes[0].complete - passes[3].complete);
+            widest.first() = max
+            (
+                widest.first(), passes[0].complete - passes[3].complete
+            );
         }
         return widest;
     }
@@ -557,9 +564,24 @@ TEST_CASE("passes that follow each other", "[variational][serial]")
     s.d.state.disp = s.random(7, 1e-3);
     s.d.state.lm = s.random(8, 1);
     stress(1);
-    const label widest = s.followEachOther();
-    CHECK(max(mag(s.rates() - f)) <= 1e-13*max(mag(f)));
-    CHECK(widest < s.n/2);
+    const Pair<label> widest(s.followEachOther());
+    const auto off = [&]
+    {
+        return max(mag(s.rates() - f))/max(mag(f));
+    };
+    CHECK(off() <= 1e-13);
+    CHECK(widest.first() < s.n/2);
+
+    // The motion of as many edges as are between two passes is enough, of a
+    // quarter of them it is not
+    const label all = s.x.motion.size();
+    s.x.keepMotion(widest.second(), s.nDim);
+    CHECK(s.x.motion.size() < all);
+    s.followEachOther();
+    CHECK(off() <= 1e-13);
+    s.x.keepMotion(widest.second()/4, s.nDim);
+    s.followEachOther();
+    CHECK(off() > 1e-6);
 }
 
 

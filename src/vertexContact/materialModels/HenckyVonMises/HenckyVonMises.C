@@ -748,13 +748,15 @@ Foam::tensor Foam::HenckyVonMises::CauchyStress
 }
 
 
-void Foam::HenckyVonMises::waveFactors
+void Foam::HenckyVonMises::waveFactorsOf
 (
     const conservedState& s,
-    scalarField& factor
+    scalarField& factor,
+    const label first,
+    const label end
 ) const
 {
-    materialModel::waveFactors(s, factor);
+    materialModel::waveFactorsOf(s, factor, first, end);
     if (!initial().on()) return;
 
     const scalar undeformed = kappa() + 4*mu()/3;
@@ -778,7 +780,7 @@ void Foam::HenckyVonMises::waveFactors
                 max(scalar(1), (1 - least/undeformed)*J0/sqr(J))
             );
         };
-        forTrialStates<D, true>(initial(), s, mu(), atNode);
+        forTrialStates<D, true>(initial(), s, mu(), first, end, atNode);
     });
 }
 
