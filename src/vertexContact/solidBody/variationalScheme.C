@@ -24,7 +24,7 @@ void Foam::variationalScheme::completeTensors
 ) const
 {
     const label d = dual_.nDim();
-    labelList place(d*d);
+    FixedList<label, 9> place;
     for (label i = 0; i < d; ++i)
     {
         for (label j = 0; j < d; ++j)
@@ -34,7 +34,8 @@ void Foam::variationalScheme::completeTensors
     }
     symmetry_.symmetriseTensors
     (
-        data, stride, place, x_.lateNodes[first], x_.lateNodes[end - 1] + 1
+        data, stride, labelUList(place.begin(), d*d),
+        x_.lateNodes[first], x_.lateNodes[end - 1] + 1
     );
 }
 
