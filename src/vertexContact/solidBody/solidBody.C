@@ -693,7 +693,7 @@ void Foam::solidBody::computeFluxes(const bool energy)
     if (rigid_.valid()) return;
     if (data_.variational)
     {
-        computeForces();
+        addTractions();
         return;
     }
 

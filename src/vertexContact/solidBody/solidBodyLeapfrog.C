@@ -61,7 +61,7 @@ void Foam::solidBody::findCompliances()
 }
 
 
-void Foam::solidBody::computeForces()
+void Foam::solidBody::addTractions()
 {
     const label d = dual_.nDim();
     externalForce_ = Zero;

@@ -287,10 +287,7 @@ void Foam::symmetryConstraint::symmetrise
 {
     if (rank == 2)
     {
-        withDirections(nDim_, [&](auto D)
-        {
-            symmetriseTensors<D.value>(data, stride, place, 0, nodes_.size());
-        });
+        symmetriseTensors(data, stride, place, 0, labelMax);
         return;
     }
     const label n = place.size();

@@ -37,7 +37,8 @@ label variationalKernelTemplate<D, finite>::gradients
     // Edges, and pairs, are sorted by their first node: with the last of its
     // own, all of a node are done
     index e = pass.edge, pair = pass.pair, met = pass.met;
-    const index start = pass.complete, end = endOf(d, pass);
+    const index start = pass.complete;
+    const index end = edgeBlocks::nodesBefore(d.dual, pass.end);
     completeNodes complete(x.lateNodes, pass);
     label nBad = 0;
     const auto completeBefore = [&](const label end)
@@ -211,7 +212,8 @@ void variationalKernelTemplate<D, finite>::forces
     constexpr int w = 2*second;
 
     const label nPairs = x.pairNodes.size()/2;
-    const index start = pass.complete, end = endOf(d, pass);
+    const index start = pass.complete;
+    const index end = edgeBlocks::nodesBefore(d.dual, pass.end);
     label& pair = pass.pair;
     for (; pair < nPairs && x.pairNodes[2*pair] < end; ++pair)
     {

@@ -205,6 +205,7 @@ void Foam::variationalScheme::goOn(const label p, const label end)
         }
         case fluxes:
         {
+            findStress(completeOf(corrections));
             times::timed(times::fluxes, [&]
             {
                 kernel_.fluxes(data_, x_, pass);
@@ -225,35 +226,44 @@ void Foam::variationalScheme::goOn(const label p, const label end)
 }
 
 
-void Foam::variationalScheme::sweep(const label last)
+template<class CompleteOf, class GoOn>
+void Foam::variationalScheme::follow
+(
+    const edgePass* passes,
+    const label last,
+    const CompleteOf& completeOf,
+    const GoOn& goOn
+) const
 {
-    const label nEdges = dual_.nEdges();
-    const auto mayGo = [&](const label p)
-    {
-        const edgePass& pass = passes_[p];
-        return
-            p == gradients
-          ? min(max(pass.end, label(0)) + tile, nEdges)
-          : edgeBlocks::mayGo
-            (
-                dual_, x_.toMeet, pass.end, completeOf(p - 1)
-            );
-    };
     bool further = true;
     while (further)
     {
         further = false;
         for (label p = gradients; p <= last; ++p)
         {
-            if (p == fluxes) findStress(completeOf(corrections));
-            const label end = mayGo(p);
-            if (end > passes_[p].end)
+            const label now = passes[p].end;
+            const label end =
+                p == gradients
+              ? min(max(now, label(0)) + tile, dual_.nEdges())
+              : edgeBlocks::mayGo(dual_, x_.toMeet, now, completeOf(p - 1));
+            if (end > now)
             {
                 goOn(p, end);
                 further = true;
             }
         }
     }
+}
+
+
+void Foam::variationalScheme::sweep(const label last)
+{
+    follow
+    (
+        passes_, last,
+        [&](const label p) { return completeOf(p); },
+        [&](const label p, const label end) { goOn(p, end); }
+    );
 }
 
 
@@ -288,26 +298,23 @@ void Foam::variationalScheme::findStress(const label end)
 
 Foam::label Foam::variationalScheme::mostBetween() const
 {
-    // As sweep() goes, where no node waits for other ranks
-    const label nEdges = dual_.nEdges();
-    const auto nodesBefore = [&](const label edge)
-    {
-        return edge < nEdges ? dual_.edgeNodes()[2*edge] : dual_.nNodes();
-    };
-    label most = 0, ahead = 0, corrected = 0, fluxed = 0;
-    while (fluxed < nEdges)
-    {
-        ahead = min(ahead + tile, nEdges);
-        corrected = edgeBlocks::mayGo
-        (
-            dual_, x_.toMeet, corrected, nodesBefore(ahead)
-        );
-        most = max(most, corrected - fluxed);
-        fluxed = edgeBlocks::mayGo
-        (
-            dual_, x_.toMeet, fluxed, nodesBefore(corrected)
-        );
-    }
+    // Where no node waits for other ranks
+    edgePass passes[nPasses] =
+        {edgePass(-1), edgePass(-1), edgePass(-1), edgePass(-1)};
+    label most = 0;
+    follow
+    (
+        passes, fluxes,
+        [&](const label p)
+        {
+            return edgeBlocks::nodesBefore(dual_, passes[p].end);
+        },
+        [&](const label p, const label end)
+        {
+            passes[p].end = end;
+            most = max(most, passes[corrections].end - passes[fluxes].end);
+        }
+    );
     return most;
 }
 

@@ -275,19 +275,6 @@ void forTrialStates
     }
 }
 
-//- The same with all nodes
-template<int D, bool stretched, class Function>
-void forTrialStates
-(
-    const initialStretch& initial,
-    const conservedState& s,
-    const scalar mu,
-    const Function& f
-)
-{
-    forTrialStates<D, stretched>(initial, s, mu, 0, s.nNodes, f);
-}
-
 } // End anonymous namespace
 
 
@@ -450,7 +437,7 @@ Foam::scalar Foam::HenckyVonMises::commitLoop
             );
         }
     };
-    forTrialStates<D, stretched>(initial(), s, mu(), atNode);
+    forTrialStates<D, stretched>(initial(), s, mu(), 0, s.nNodes, atNode);
     return dissipated;
 }
 
@@ -729,7 +716,7 @@ Foam::scalar Foam::HenckyVonMises::totalStrainEnergy
         {
             sum += volume[i]*energyOf<D.value, is>(s, i, trial);
         };
-        forTrialStates<D.value, is>(initial(), s, mu(), atNode);
+        forTrialStates<D.value, is>(initial(), s, mu(), 0, s.nNodes, atNode);
         return sum;
     });
 }
