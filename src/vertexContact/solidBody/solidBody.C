@@ -511,10 +511,16 @@ Foam::vector Foam::solidBody::currentArea
     }
     else
     {
-        const scalar* H = data_.state.H.cdata() + 9*node;
+        const SolidTensor<3> F(loadF<3>(data_.state.F.cdata(), node));
+        const SolidTensor<3> H
+        (
+            data_.state.strideH
+          ? loadH<3>(F, data_.state.H.cdata(), node)
+          : cofactor(F)
+        );
         for (label i = 0; i < 3; ++i)
         {
-            area[i] = H[i]*N[0] + H[3 + i]*N[1] + H[6 + i]*N[2];
+            area[i] = H(i, 0)*N[0] + H(i, 1)*N[1] + H(i, 2)*N[2];
         }
     }
     return area;

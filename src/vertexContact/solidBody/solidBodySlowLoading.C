@@ -101,10 +101,9 @@ Foam::scalar Foam::solidBody::undeformedTimeScale()
         data_.finiteStrain
     );
     if (material_->plastic()) start.makePlastic();
-    const scalarField F(data_.state.F), H(data_.state.H);
+    const scalarField F(data_.state.F);
     const scalarField waveFactor(data_.waveFactor);
     data_.state.F = start.F;
-    data_.state.H = start.H;
     data_.waveFactor = scalar(1);
     if (stretchedWaves_ && material_->initial().on())
     {
@@ -117,7 +116,6 @@ Foam::scalar Foam::solidBody::undeformedTimeScale()
     );
 
     data_.state.F = F;
-    data_.state.H = H;
     data_.waveFactor = waveFactor;
     return step;
 }

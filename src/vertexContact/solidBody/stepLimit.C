@@ -8,6 +8,7 @@
 #include "lanczos.H"
 #include "rows.H"
 #include "solidTensor.H"
+#include "variationalEdge.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -288,7 +289,12 @@ public:
             const vec s =
                 (wave*d_.cs*magC)*left
               + (wave*(d_.cp - d_.cs)*dot(left, C)/magC)*C;
-            const vec elastic = (ofK_*x_.jumpStiffness[e]/d_.rho)*jump;
+            const vec elastic =
+                (
+                    ofK_/d_.rho
+                   *edgeStiffness(x_.jumpModulus, dot(C, C), dot(r, r))
+                )
+               *jump;
             rowAt<4>(y.data() + 4*a) -= s + elastic;
             rowAt<4>(y.data() + 4*b) += s + elastic;
 

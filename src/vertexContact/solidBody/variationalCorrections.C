@@ -157,10 +157,15 @@ label variationalKernelTemplate<D, finite>::correctLoop
         const index e = block.first();
         const scalar* C = x.area.cdata() + e*D;
         const scalar* r = x.reach.cdata() + e*D;
-        const scalar* k = x.jumpStiffness.cdata() + e;
         scalar* motion = x.motion.data() + (e & places)*nM;
 
-        lanes dx[D], dv[D], change[D], acceleration[D];
+        lanes dx[D], dv[D], change[D], acceleration[D], CC{}, rr{};
+        for (int j = 0; D > 1 && j < D; ++j)
+        {
+            CC += laneAt(C, j)*laneAt(C, j);
+            rr += laneAt(r, j)*laneAt(r, j);
+        }
+        const lanes stiffness = edgeStiffness(x.jumpModulus, CC, rr);
         const auto setEdge = [&](const lanes* U)
         {
             for (int i = 0; i < D; ++i)
@@ -184,6 +189,7 @@ label variationalKernelTemplate<D, finite>::correctLoop
         if constexpr (D == 3)
         {
             const scalar* rush = x.acceleration.cdata();
+            const scalar* k = reinterpret_cast<const scalar*>(&stiffness);
             alignas(registerBytes) row<8> differences[nLanes];
             alignas(registerBytes) row<8> sums[nLanes];
             alignas(registerBytes) row<4> force[nLanes];
@@ -295,7 +301,6 @@ label variationalKernelTemplate<D, finite>::correctLoop
 
             // What is added to columns, and to forces and squares
             lanes out[8] = {}, force[D];
-            const lanes stiffness = rowAt<nLanes>(k);
             for (int i = 0; i < D; ++i)
             {
                 acceleration[i] = of[atU + 2*D + i];

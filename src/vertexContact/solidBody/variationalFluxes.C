@@ -24,7 +24,7 @@ template<int D, bool finite>
 __attribute__((always_inline))
 inline row<4> variationalKernelTemplate<D, finite>::waveArea3
 (
-    const scalar* H,
+    const scalar* grad,
     const scalar* C,
     const index a,
     const index b
@@ -35,7 +35,10 @@ inline row<4> variationalKernelTemplate<D, finite>::waveArea3
     {
         c +=
             (0.5*C[j*nLanes])
-           *(rowAt<4>(H + a*nP + j*D) + rowAt<4>(H + b*nP + j*D));
+           *(
+                rowAt<4>(grad + (a*D + j)*sA + second)
+              + rowAt<4>(grad + (b*D + j)*sA + second)
+            );
     }
     return c;
 }
@@ -51,7 +54,7 @@ void variationalKernelTemplate<D, finite>::fluxLoop
 )
 {
     const scalar* P = d.W.cdata() + d.offsetP();
-    const scalar* H = d.state.H.cdata();
+    const scalar* grad = x.grad.cdata();
     scalar* sensor = x.sensor.data();
     scalar* U = x.U.data();
     scalar* rates = d.rates.data();
@@ -123,7 +126,7 @@ void variationalKernelTemplate<D, finite>::fluxLoop
         {
             prefetch<nP>(P + a*sW);
             if constexpr (finite || D == 2) prefetch<sU>(U + a*sU);
-            if constexpr (moves && D == 3) prefetch<nP>(H + a*nP);
+            if constexpr (moves && D == 3) prefetch<sA*D>(grad + a*D*sA);
             prefetch<4>(sensor + a*sS + atSquares);
             prefetch<sR>(rates + a*sR);
             prefetch<sA*D>(adjoint + a*D*sA);
@@ -192,7 +195,7 @@ void variationalKernelTemplate<D, finite>::fluxLoop
                     corrections[l] = halfBeta*difference;
                 }
                 row<4> deformed{};
-                if constexpr (finite) deformed = waveArea3(H, C + l, a, b);
+                if constexpr (finite) deformed = waveArea3(grad, C + l, a, b);
                 deformed = row<4>
                 {
                     deformed[0], deformed[1], deformed[2], both.least[3]
@@ -403,10 +406,10 @@ void variationalKernelTemplate<D, finite>::sumWaves
 ) const
 {
     const scalar* F = d.state.F.cdata();
-    const scalar* H = d.state.H.cdata();
+    scalar* grad = x.grad.data();
     const scalar* factors = d.waveFactor.cdata();
     const bool stretched = d.waveFactor.size();
-    scalar* waves = x.waves.data();
+    scalar* waves = x.waves().data();
 
     // That of the first node, as long as it is the same
     index node = -1;
@@ -414,12 +417,26 @@ void variationalKernelTemplate<D, finite>::sumWaves
 
     edgePass pass(d.dual.nEdges());
     edgeBlocks block(d.dual, x.toMeet, pass);
-    const auto begin = [&](const index a) { zeroAt<sK>(waves + a*sK); };
+    const auto begin = [&](const index a)
+    {
+        zeroAt<sK>(waves + a*sK);
+        if constexpr (finite && D == 3)
+        {
+            // The state may be another one than that of the last forces
+            const SolidTensor<D> f = loadF<D>(F, a);
+            row<4> columns[D];
+            for (int j = 0; j < D; ++j)
+            {
+                columns[j] = row<4>{f(0, j), f(1, j), f(2, j), 0};
+            }
+            storeCofactor(grad + a*D*sA, columns);
+        }
+    };
     for (; block.valid(); ++block)
     {
         block.ahead([&](const index a)
         {
-            if constexpr (finite) prefetch<nP>((D == 3 ? H : F) + a*nP);
+            if constexpr (finite && D == 2) prefetch<nP>(F + a*nP);
             begin(a);
         });
         const label* ends = block.nodes();
@@ -435,7 +452,7 @@ void variationalKernelTemplate<D, finite>::sumWaves
         {
             fourLanesOf(of, [&](const int l)
             {
-                return waveArea3(H, C + l, ends[2*l], ends[2*l + 1]);
+                return waveArea3(grad, C + l, ends[2*l], ends[2*l + 1]);
             });
             for (int i = 0; i < D; ++i) c[i] = of[i];
         }

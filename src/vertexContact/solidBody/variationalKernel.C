@@ -46,15 +46,13 @@ Foam::variationalData::variationalData
     motion(inBlocks(d, variationalLayout::motionOf(d.nDim()))),
     U(d.nNodes()*variationalLayout::strideU(d.nDim())),
     grad(d.nNodes()*d.nDim()*variationalLayout::strideColumn(d.nDim())),
-    inverse(d.finiteStrain ? d.nNodes()*d.nDim()*d.nDim() : 0, Zero),
+    inverse(d.finiteStrain && d.nDim() == 2 ? 4*d.nNodes() : 0, Zero),
     sensor(d.nNodes()*variationalLayout::strideSensor(d.nDim())),
     perEdges(d.nNodes(), Zero),
     perV(d.nNodes()),
     acceleration(d.nDim() > 1 ? d.nNodes()*d.nDim() : label(0), Zero),
     oldAcceleration(acceleration),
-    jumpStiffness(d.dual.nEdges()),
     adjoint(d.nNodes()*d.nDim()*variationalLayout::strideColumn(d.nDim())),
-    waves(d.nNodes()*variationalLayout::strideWaves(d.nDim())),
     smoothing(smoothed ? d.dual.nEdges() : 0, Zero),
     jacobian(smoothed ? d.nNodes() : 0, scalar(1)),
     average(smoothed ? d.nNodes() : 0, scalar(1)),
@@ -204,12 +202,11 @@ std::size_t Foam::variationalData::bytes() const
        *std::size_t
         (
             pairArea.size() + reach.size() + motion.size()
-          + waves.size() + U.size() + grad.size() + inverse.size()
-          + area.size() + lateJumps.size() + sensor.size() + perEdges.size()
-          + perV.size() + smoothing.size()
-          + 2*acceleration.size() + jumpStiffness.size()
-          + adjoint.size() + jacobian.size() + average.size()
-          + unsmoothed.size() + geometricBound.size()
+          + U.size() + grad.size() + inverse.size()
+          + area.size() + lateJumps.size()
+          + sensor.size() + perEdges.size() + perV.size() + smoothing.size()
+          + 2*acceleration.size() + adjoint.size() + jacobian.size()
+          + average.size() + unsmoothed.size() + geometricBound.size()
         );
 }
 

@@ -14,6 +14,7 @@ Description
 #include "variationalKernelTemplate.H"
 #include "edgeBlocks.H"
 #include "edgeRows.H"
+#include "variationalEdge.H"
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
@@ -177,9 +178,12 @@ scalar variationalKernelTemplate<D, finite>::jumpEnergy
     {
         const index a = edge[2*e], b = edge[2*e + 1];
         const scalar* r = variationalLayout::ofEdge<D>(x.reach, e);
-        scalar square = 0;
+        const scalar* C = variationalLayout::ofEdge<D>(x.area, e);
+        scalar square = 0, CC = 0, rr = 0;
         for (int i = 0; i < D; ++i)
         {
+            CC += sqr(C[i*nLanes]);
+            rr += sqr(r[i*nLanes]);
             scalar jump = U[b*sU + atU + i] - U[a*sU + atU + i];
             for (int j = 0; j < D; ++j)
             {
@@ -189,7 +193,7 @@ scalar variationalKernelTemplate<D, finite>::jumpEnergy
             }
             square += jump*jump;
         }
-        energy += 0.5*x.jumpStiffness[e]*square;
+        energy += 0.5*edgeStiffness(x.jumpModulus, CC, rr)*square;
     }
     return energy;
 }

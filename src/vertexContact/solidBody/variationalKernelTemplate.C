@@ -329,7 +329,7 @@ lanes variationalKernelTemplate<D, finite>::timeScales
     for (int k = 0; k < nK; ++k)
     {
         K[k] = K_(x.geometricBound.cdata() + first*nK + k);
-        waves[k] = waves_(x.waves.cdata() + first*sK + k);
+        waves[k] = waves_(x.waves().cdata() + first*sK + k);
     }
     for (int k = 0; k < nP; ++k)
     {

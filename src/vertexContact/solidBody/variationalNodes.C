@@ -68,6 +68,30 @@ inline label variationalKernelTemplate<D, finite>::collectNode3
 
 
 template<int D, bool finite>
+inline scalar variationalKernelTemplate<D, finite>::invert
+(
+    row<4>* inverse,
+    const scalar* g
+)
+{
+    const row<4> F[3] =
+    {
+        rowAt<4>(g) + row<4>{1, 0, 0, 0},
+        rowAt<4>(g + sA) + row<4>{0, 1, 0, 0},
+        rowAt<4>(g + 2*sA) + row<4>{0, 0, 1, 0}
+    };
+    // The columns of the cofactor are the rows of the inverse, times det
+    inverse[0] = cross(F[1], F[2]);
+    inverse[1] = cross(F[2], F[0]);
+    inverse[2] = cross(F[0], F[1]);
+    const scalar det = dotOfThree(F[0], inverse[0]);
+    const scalar perDet = 1/det;
+    for (int k = 0; k < 3; ++k) inverse[k] *= perDet;
+    return det;
+}
+
+
+template<int D, bool finite>
 inline bool variationalKernelTemplate<D, finite>::deformRow
 (
     variationalData& x,
@@ -75,7 +99,7 @@ inline bool variationalKernelTemplate<D, finite>::deformRow
     const row<8>& g
 )
 {
-    // Inverse of F, from the derivatives of the displacement in both columns
+    // From the derivatives of the displacement in both columns
     const row<4> H = picked<5, 4, 1, 0>(g)*row<4>{1, -1, -1, 1}
       + row<4>{1, 0, 0, 1};
     const scalar det = H[0]*H[3] - H[1]*H[2];
@@ -111,24 +135,8 @@ inline bool variationalKernelTemplate<D, finite>::deformNode
     }
     else if constexpr (D == 3 && finite)
     {
-        // By columns: those of the cofactor are the rows of the inverse, times
-        // the determinant
-        const row<4> F[3] =
-        {
-            lower(rowAt<8>(g)) + row<4>{1, 0, 0, 0},
-            lower(rowAt<8>(g + sA)) + row<4>{0, 1, 0, 0},
-            lower(rowAt<8>(g + 2*sA)) + row<4>{0, 0, 1, 0}
-        };
-        row<4> inverse[3] =
-            {cross(F[1], F[2]), cross(F[2], F[0]), cross(F[0], F[1])};
-        const scalar det = dotOfThree(F[0], inverse[0]);
-        const scalar perDet = 1/det;
-        for (int k = 0; k < D; ++k) inverse[k] *= perDet;
-        storeColumns
-        (
-            x.inverse.data() + a*nP, inverse[0], inverse[1], inverse[2]
-        );
-        row<4> L[D] = {};
+        row<4> inverse[3], L[D] = {};
+        const scalar det = invert(inverse, g);
         for (int k = 0; k < D; ++k)
         {
             const row<4> v = rowAt<4>(g + k*sA + second);
@@ -140,8 +148,7 @@ inline bool variationalKernelTemplate<D, finite>::deformNode
     else
     {
         const scalar F = 1 + g[0];
-        x.inverse[a] = 1/F;
-        g[second] *= x.inverse[a];
+        g[second] /= F;
         return F > 0;
     }
 }
@@ -240,6 +247,21 @@ inline void variationalKernelTemplate<D, finite>::addJumps
 
 
 template<int D, bool finite>
+inline row<4> variationalKernelTemplate<D, finite>::storeCofactor
+(
+    scalar* g,
+    const row<4>* F
+)
+{
+    const row<4> first = cross(F[1], F[2]);
+    rowAt<4>(g + second) = first;
+    rowAt<4>(g + sA + second) = cross(F[2], F[0]);
+    rowAt<4>(g + 2*sA + second) = cross(F[0], F[1]);
+    return first;
+}
+
+
+template<int D, bool finite>
 inline bool variationalKernelTemplate<D, finite>::moveNode
 (
     vertexData& d,
@@ -276,12 +298,8 @@ inline bool variationalKernelTemplate<D, finite>::moveNode
         storeRows(F + a*nP, f[0], f[1], f[2]);
         if constexpr (finite)
         {
-            // As loadH() has it
-            const row<4> H = cross(f[1], f[2]);
-            storeColumns
-            (
-                d.state.H.data() + 9*a, H, cross(f[2], f[0]), cross(f[0], f[1])
-            );
+            // In place of L, which the corrections have taken
+            const row<4> H = storeCofactor(x.grad.data() + a*D*sA, f);
             const scalar J = dotOfThree(f[0], H);
             if (x.smoothed) x.jacobian[a] = J;
             return J > 0;
@@ -347,15 +365,15 @@ inline void variationalKernelTemplate<D, finite>::stressNode
     }
     else if constexpr (D == 3)
     {
-        row<4> Z[D] = {};
+        row<4> Z[D] = {}, inverse[3];
+        if constexpr (finite) invert(inverse, x.grad.cdata() + a*D*sA);
         for (int k = 0; k < D; ++k)
         {
             const row<4> z = rowAt<4>(T + k*sA + second);
             if constexpr (finite)
             {
                 // Z (G x)^-T
-                const scalar* inverse = x.inverse.cdata() + a*nP;
-                for (int j = 0; j < D; ++j) Z[j] += z*inverse[j*D + k];
+                for (int j = 0; j < D; ++j) Z[j] += z*inverse[j][k];
             }
             else
             {
@@ -374,7 +392,7 @@ inline void variationalKernelTemplate<D, finite>::stressNode
     else
     {
         T[0] = P[0] + perV*T[0];
-        T[second] *= finite ? perV*x.inverse[a] : perV;
+        T[second] *= finite ? perV/(1 + x.grad[a*sA]) : perV;
     }
 }
 

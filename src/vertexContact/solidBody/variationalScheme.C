@@ -69,7 +69,8 @@ void Foam::variationalScheme::boundFrequencies()
 
     if (x_.smoothed) findFilter();
 
-    findJumpStiffness();
+    // In uniaxial strain nothing shears
+    if (d > 1) x_.jumpModulus = jumpShare*material_.jumpModulus();
 
     // What the operator has, in two digits: not the last bits, which depend on
     // the number of processors
@@ -81,28 +82,6 @@ void Foam::variationalScheme::boundFrequencies()
     // The state is undeformed yet
     const scalar bound = returnReduce(boundOfStep(), minOp<scalar>());
     x_.stepRatio = std::floor(hundredths*limit.step()/bound)/hundredths;
-}
-
-
-void Foam::variationalScheme::findJumpStiffness()
-{
-    const label d = dual_.nDim();
-    // In uniaxial strain nothing shears
-    const scalar modulus = d > 1 ? jumpShare*material_.jumpModulus() : 0;
-    for (label e = 0; e < dual_.nEdges(); ++e)
-    {
-        const label a = dual_.edgeNodes()[2*e], b = dual_.edgeNodes()[2*e + 1];
-        scalar CC = 0, rr = 0;
-        for (label j = 0; j < d; ++j)
-        {
-            CC += sqr(data_.edgeArea()[e*d + j]);
-            rr += sqr
-            (
-                dual_.nodePosition()[b*d + j] - dual_.nodePosition()[a*d + j]
-            );
-        }
-        x_.jumpStiffness[e] = modulus*std::sqrt(CC/rr);
-    }
 }
 
 
@@ -508,7 +487,7 @@ Foam::scalar Foam::variationalScheme::boundOfStep()
     kernel_.sumWaves(data_, x_);
     dual_.sharing().sum
     (
-        x_.waves.data(), variationalLayout::strideWaves(dual_.nDim())
+        x_.waves().data(), variationalLayout::strideWaves(dual_.nDim())
     );
     return kernel_.timeScale(data_, x_);
 }

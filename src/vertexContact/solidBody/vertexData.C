@@ -55,6 +55,9 @@ Foam::vertexData::vertexData
     }
     if (variational)
     {
+        // Where it is needed its kernel makes it
+        state.H.clear();
+        state.strideH = old.strideH = 0;
         old.F.clear();
         old.J.clear();
     }
