@@ -6,7 +6,31 @@
 
 #include "contactSystem.H"
 #include "solidBody.H"
+#include "dictionaryCheck.H"
+#include "generalInterface.H"
 #include "stopwatch.H"
+#include "systemChecks.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+const Foam::dictionary& Foam::contactSystem::dictionaries() const
+{
+    const dictionary& dict = properties_();
+    dictionaryCheck::onlyKeywords(dict, wordList({"interfaces"}));
+    const dictionary& list = dict.subDict("interfaces");
+    for (const entry& e : list)
+    {
+        if (!e.isDict())
+        {
+            FatalIOErrorInFunction(list)
+                << "Keyword '" << e.keyword()
+                << "' is not a dictionary: an interface is"
+                << exit(FatalIOError);
+        }
+    }
+    return list;
+}
+
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -24,6 +48,52 @@ Foam::contactSystem::contactSystem
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::contactSystem::read(const Time& runTime)
+{
+    IOobject contactIO
+    (
+        "contactProperties", runTime.constant(), runTime,
+        IOobject::MUST_READ_IF_MODIFIED, IOobject::NO_WRITE
+    );
+    if (dictionaryCheck::isThere<IOdictionary>(contactIO))
+    {
+        properties_.reset(new watchedDictionary(contactIO));
+        const dictionary& list = dictionaries();
+        // Pairs with an interface of their own are not those of many
+        for (const bool general : {false, true})
+        {
+            for (const entry& e : list)
+            {
+                if (generalInterface::describedBy(e.dict()) == general)
+                {
+                    contactInterface::append
+                    (
+                        e.keyword(), e.dict(), bodies_, interfaces_
+                    );
+                }
+            }
+        }
+    }
+    systemChecks::contactPatches
+    (
+        contactIO.objectPath(), bodies_, interfaces_
+    );
+}
+
+
+bool Foam::contactSystem::readModifiedLaws()
+{
+    if (!properties_.valid() || !properties_->changed) return false;
+    const dictionary& list = dictionaries();
+    for (contactInterface& contact : interfaces_)
+    {
+        contact.readLaw(list.subDict(contact.dictName()));
+    }
+    properties_->changed = false;
+    return true;
+}
+
 
 bool Foam::contactSystem::moves() const
 {

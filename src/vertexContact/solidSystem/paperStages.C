@@ -10,6 +10,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "solidSystem.H"
+#include "nodeMessage.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -38,9 +39,9 @@ void Foam::solidSystem::advance(const int stage, const updatedPart part)
     // be evaluated
     if (nBad)
     {
-        wrongNode_ = describeHere
+        wrongNode_ = nodeMessage::here
         (
-            [](const solidBody& body) { return body.findBadNode(); }
+            bodies_, [](const solidBody& body) { return body.findBadNode(); }
         );
         for (solidBody& body : bodies_)
         {

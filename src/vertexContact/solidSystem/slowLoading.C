@@ -43,7 +43,7 @@ void Foam::solidSystem::readSlowLoading(const dictionary& record)
     }
 
     if (!relaxes) return;
-    if (ratios_->active())
+    if (subCycling_.active())
     {
         FatalIOErrorInFunction(control)
             << "Keyword 'relaxation' does not go with subCycling: bodies that "

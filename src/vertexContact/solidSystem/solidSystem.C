@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "solidSystem.H"
+#include "nodeMessage.H"
 #include "passTimes.H"
 #include "stopwatch.H"
 
@@ -44,14 +45,20 @@ void Foam::solidSystem::evaluate(const scalar time, const int stage)
 
 void Foam::solidSystem::evaluateForces(const scalar time, const bool moved)
 {
-    if (ratios_->active())
+    if (subCycling_.active())
     {
-        evaluateInBlocks(time, moved);
+        subCycling_.evaluate
+        (
+            time, moved, choice_.due(), [this] { return choice_.first(); }
+        );
         return;
     }
 
     // Contact is solved with the velocities that all other forces make
-    forAll(bodies_, i) evaluateBody(i, time, bound_.due());
+    for (solidBody& body : bodies_)
+    {
+        body.evaluate(time, choice_.due(), accounts_.on());
+    }
 
     // Here: paired after this evaluation, the bodies were evaluated again
     if (moved) contacts_.pairMoved(time);
@@ -74,14 +81,7 @@ void Foam::solidSystem::evaluateForces(const scalar time, const bool moved)
     solve(lastStep);
     if (lastStep == 0 && interfaces().size())
     {
-        for (label i = 0; i < 2; ++i)
-        {
-            const scalar first =
-                control_.adjusts()
-              ? min(control_.maxCo()*stableStep(), control_.maxDeltaT())
-              : runTime_.deltaTValue();
-            solve(0.5*first);
-        }
+        for (label i = 0; i < 2; ++i) solve(0.5*choice_.first());
     }
     for (solidBody& body : bodies_)
     {
@@ -92,31 +92,37 @@ void Foam::solidSystem::evaluateForces(const scalar time, const bool moved)
 
 void Foam::solidSystem::leap(const scalar time)
 {
-    if (ratios_->active())
-    {
-        leapInBlocks(time);
-        return;
-    }
-
     const scalar deltaT = runTime_.deltaTValue();
-    const scalar middle = 0.5*(bodies_[0].lastStep() + deltaT);
-    forAll(bodies_, i)
+    label nBad = 0;
+    if (subCycling_.active())
     {
-        passTimes::timed(passTimes::update, [&]
+        nBad = subCycling_.leap(startOfStep_, deltaT);
+    }
+    else
+    {
+        const scalar middle = 0.5*(bodies_[0].lastStep() + deltaT);
+        forAll(bodies_, i)
         {
-            bodies_[i].leap(startOfStep_, deltaT, accounts_.on(), accounts_[i]);
+            passTimes::timed(passTimes::update, [&]
+            {
+                bodies_[i].leap
+                (
+                    startOfStep_, deltaT, accounts_.on(), accounts_[i]
+                );
+            });
+        }
+        passTimes::timed(passTimes::contact, [&]
+        {
+            contacts_.slide(middle, deltaT);
         });
     }
-    passTimes::timed(passTimes::contact, [&]
+
+    if (!nBad)
     {
-        contacts_.slide(middle, deltaT);
-    });
-
-    bound_.pass(deltaT);
-    evaluateForces(time, true);
-
-    label nBad = 0;
-    for (const solidBody& body : bodies_) nBad += body.nBad();
+        choice_.pass(deltaT);
+        evaluateForces(time, true);
+        for (const solidBody& body : bodies_) nBad += body.nBad();
+    }
     settle(nBad);
 }
 
@@ -143,7 +149,7 @@ void Foam::solidSystem::settle(const label nBad)
     );
     if (all.x() > 0)
     {
-        const string where = firstOf(found.lost);
+        const string where = nodeMessage::firstOf(found.lost);
         if (where.size())
         {
             stopOnLostContact(where);
@@ -184,20 +190,10 @@ void Foam::solidSystem::keepStart()
 void Foam::solidSystem::startStep()
 {
     const stopwatch watch(done_.stepSeconds);
-    if (contactProperties_.valid() && contactProperties_->changed)
+    const bool otherLaws = contacts_.readModifiedLaws();
+    if (contacts_.pairIfAsked(runTime_.value()) || otherLaws)
     {
-        readLaws();
-        for (solidBody& body : bodies_)
-        {
-            body.forgetRates();
-        }
-    }
-    if (contacts_.pairIfAsked(runTime_.value()))
-    {
-        for (solidBody& body : bodies_)
-        {
-            body.forgetRates();
-        }
+        for (solidBody& body : bodies_) body.forgetRates();
     }
 
     keepStart();
@@ -218,7 +214,12 @@ void Foam::solidSystem::startStep()
         evaluate(startOfStep_, 0);
     }
 
-    chooseStep();
+    const bool logs = control_.logs
+    (
+        done_.steps + 1, startOfStep_ + runTime_.deltaTValue()
+    );
+    if (choice_.look(logs)) checkTimeStep();
+    choice_.take();
 }
 
 

@@ -29,7 +29,7 @@ void Foam::solidSystem::log()
 
     os  << "Step " << done_.steps << "  Time " << runTime_.value()
         << " s  deltaT " << runTime_.deltaTValue() << " s  Co "
-        << runTime_.deltaTValue()/timeStepLimit_;
+        << runTime_.deltaTValue()/choice_.limit();
     if (accounts_.on())
     {
         const List<bodyEnergies> all(computeEnergies());
@@ -109,25 +109,25 @@ bool Foam::solidSystem::writeData(Ostream& os) const
     {
         body.forgetRates();
     }
-    self.bound_.restart();
+    self.choice_.restart();
 
     OStringStream text;
     text.precision(17);
     text<< "time " << runTime_.value() << ';' << nl
         << "lastStep "
-        << (ratios_->active() ? last_.whole : bodies_[0].lastStep())
+        << (
+               subCycling_.active()
+             ? subCycling_.lastStep()
+             : bodies_[0].lastStep()
+           )
         << ';' << nl
         << "energiesOn " << (accounts_.on() ? "yes" : "no") << ';' << nl;
-    leastLimit_.write(text);
-    if (ratios_->active()) text<< "shortStep " << last_.shortest << ';' << nl;
+    choice_.write(text);
+    subCycling_.write(text);
     forAll(bodies_, i)
     {
         text<< "region_" << bodies_[i].name() << nl << '{' << nl;
-        if (ratios_->active())
-        {
-            text<< "    lastStep " << bodies_[i].lastStep() << ';' << nl;
-            ratios_->write(i, text);
-        }
+        subCycling_.write(i, text);
         // Reduced, since every rank writes
         accounts_.write(i, text);
         if (bodies_[i].massFactor() != 1)
@@ -149,17 +149,7 @@ bool Foam::solidSystem::writeData(Ostream& os) const
         text<< '}' << nl;
     }
     contacts_.writeRecord(text);
-    if (functionWriters_.size())
-    {
-        text<< "functionObjects" << nl << '{' << nl;
-        for (const word& name : functionWriters_.sortedToc())
-        {
-            text<< name << nl << '{' << nl;
-            functionWriters_[name](text);
-            text<< '}' << nl;
-        }
-        text<< '}' << nl;
-    }
+    functionRecords_.write(text);
 
     const int precision = os.precision(17);
     dictionary(IStringStream(text.str())()).write(os, false);
@@ -176,8 +166,7 @@ void Foam::solidSystem::reportCost(OSstream& os) const
     // The file's precision would make figures unreadable
     const int precision = os.precision(6);
 
-    const scalarField bodyNodes(countNodes());
-    const scalar nodes = sum(bodyNodes);
+    const scalar nodes = sum(subCycling::countNodes(bodies_));
     if (done_.steps)
     {
         done_.report(os, nodes);
@@ -195,14 +184,14 @@ void Foam::solidSystem::reportCost(OSstream& os) const
 
     if (done_.steps && bodies_.size() > 1)
     {
-        const scalarField stable(stableSteps());
+        const scalarField stable(choice_.ofBodies());
         os  << "Stable steps at Co 1, at the end:";
         forAll(bodies_, i)
         {
             os  << ' ' << bodies_[i].name() << ' ' << stable[i] << " s";
         }
         os  << nl;
-        reportSteps(os);
+        subCycling_.report(stable, os);
         os  << nl;
     }
 

@@ -11,7 +11,6 @@ Description
 #include "solidSystem.H"
 #include "regionFiles.H"
 #include "systemChecks.H"
-#include "generalInterface.H"
 #include "dictionaryCheck.H"
 #include "uniformDimensionedFields.H"
 #include "IOdictionary.H"
@@ -56,41 +55,6 @@ Foam::PtrList<Foam::solidBody> Foam::solidSystem::readBodies() const
 }
 
 
-void Foam::solidSystem::readInterfaces()
-{
-    IOobject contactIO
-    (
-        "contactProperties", runTime_.constant(), runTime_,
-        IOobject::MUST_READ_IF_MODIFIED, IOobject::NO_WRITE
-    );
-    if (dictionaryCheck::isThere<IOdictionary>(contactIO))
-    {
-        contactProperties_.reset(new watchedDictionary(contactIO));
-        const dictionary& list = interfaceDicts();
-        // Pairs with an interface of their own are not those of many
-        for (const bool general : {false, true})
-        {
-            for (const entry& e : list)
-            {
-                if (generalInterface::describedBy(e.dict()) == general)
-                {
-                    contactInterface::append
-                    (
-                        e.keyword(), e.dict(), bodies_, contacts_.interfaces()
-                    );
-                }
-            }
-        }
-    }
-    systemChecks::contactPatches
-    (
-        contactIO.objectPath(), bodies_, interfaces()
-    );
-    // With the leapfrog the speed of waves follows the stretch
-    if (!integrator_.leapfrog()) systemChecks::impacts(interfaces());
-}
-
-
 void Foam::solidSystem::readGravity()
 {
     IOobject gravityIO
@@ -115,36 +79,6 @@ void Foam::solidSystem::readGravity()
 }
 
 
-const Foam::dictionary& Foam::solidSystem::interfaceDicts() const
-{
-    const dictionary& dict = contactProperties_();
-    dictionaryCheck::onlyKeywords(dict, wordList({"interfaces"}));
-    const dictionary& list = dict.subDict("interfaces");
-    for (const entry& e : list)
-    {
-        if (!e.isDict())
-        {
-            FatalIOErrorInFunction(list)
-                << "Keyword '" << e.keyword()
-                << "' is not a dictionary: an interface is"
-                << exit(FatalIOError);
-        }
-    }
-    return list;
-}
-
-
-void Foam::solidSystem::readLaws()
-{
-    const dictionary& list = interfaceDicts();
-    for (contactInterface& contact : contacts_.interfaces())
-    {
-        contact.readLaw(list.subDict(contact.dictName()));
-    }
-    contactProperties_->changed = false;
-}
-
-
 Foam::dictionary Foam::solidSystem::readRecord()
 {
     systemChecks::processors(runTime_);
@@ -159,23 +93,6 @@ Foam::dictionary Foam::solidSystem::readRecord()
     if (runTime_.timeName(exact) != runTime_.timeName()) return dictionary();
     runTime_.setTime(exact, runTime_.timeIndex());
     return record;
-}
-
-
-void Foam::solidSystem::readSteps(const dictionary& record)
-{
-    leastLimit_.read(record);
-    last_.whole = record.getOrDefault<scalar>("lastStep", 0);
-    last_.shortest = record.getOrDefault<scalar>("shortStep", last_.whole);
-    if (record.found("shortStep") && !ratios_->active())
-    {
-        FatalIOErrorInFunction(runTime_.controlDict())
-            << "Keyword 'subCycling' is no, but the run that this one goes on "
-            << "from had steps of their own: it must be yes. "
-            << "'maxSubCycles 1' gives one step to all regions."
-            << exit(FatalIOError);
-    }
-    forAll(bodies_, i) ratios_->read(i, recordOf(i, record));
 }
 
 
@@ -224,22 +141,34 @@ Foam::solidSystem::solidSystem(Time& runTime)
         bodies_, integrator_.leapfrog() ? control_.contactIterations() : 1
     ),
     accounts_(bodies_, integrator_.leapfrog()),
+    subCycling_
+    (
+        runTime.controlDict(), control_, bodies_, contacts_, accounts_
+    ),
+    choice_
+    (
+        runTime, control_, integrator_.leapfrog(), bodies_, contacts_,
+        subCycling_
+    ),
+    functionRecords_(record_),
     maxEnergyRise_(control_.maxEnergyRise()),
-    warnings_(bodies_.size()),
-    bodyStep_(bodies_.size(), scalar(0))
+    warnings_(bodies_.size())
 {
-    ratios_.reset(new stepRatios(runTime.controlDict(), countNodes()));
     systemChecks::integrator(integrator_, preset_, control_, bodies_);
     systemChecks::rigid(control_, bodies_);
     readSlowLoading(record_);
     // Surfaces are paired with the velocities that they had
     readMotions(record_);
-    readInterfaces();
+    contacts_.read(runTime);
+    // With the leapfrog the speed of waves follows the stretch
+    if (!integrator_.leapfrog()) systemChecks::impacts(interfaces());
     readGravity();
 
     contacts_.readRecord(record_);
     accounts_.read(record_);
-    readSteps(record_);
+    choice_.read(record_);
+    subCycling_.read(record_, runTime.controlDict());
+    forAll(bodies_, i) subCycling_.read(i, recordOf(i, record_));
     if (maxEnergyRise_ > 0) accountEnergies();
     done_.start = runTime_.value();
 
@@ -309,7 +238,7 @@ void Foam::solidSystem::report(Ostream& os) const
     {
         os  << ", fixed step" << nl;
     }
-    if (ratios_->active())
+    if (subCycling_.active())
     {
         os  << "Steps of their own for the regions" << nl;
     }

@@ -10,6 +10,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "solidSystem.H"
+#include "nodeMessage.H"
 #include "systemChecks.H"
 #include "writtenTimes.H"
 #include "OStringStream.H"
@@ -28,41 +29,6 @@ constexpr Foam::scalar asFast = 1 - 1e-12;
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::string Foam::solidSystem::describeHere
-(
-    const std::function<label(const solidBody&)>& find
-) const
-{
-    for (const solidBody& body : bodies_)
-    {
-        const label node = find(body);
-        if (node >= 0)
-        {
-            OStringStream os;
-            os  << "region " << body.name() << ", node at "
-                << body.meshPoint(node)
-                << " (reference) " << body.position(node) << " (current)";
-            return os.str();
-        }
-    }
-    return string();
-}
-
-
-Foam::string Foam::solidSystem::firstOf(const string& message)
-{
-    List<string> all(Pstream::nProcs());
-    all[Pstream::myProcNo()] = message;
-    Pstream::gatherList(all);
-    Pstream::scatterList(all);
-    for (const string& s : all)
-    {
-        if (s.size()) return s;
-    }
-    return message;
-}
-
-
 void Foam::solidSystem::checkTimeStep()
 {
     if (leastTimeStep_ == 0)
@@ -72,17 +38,21 @@ void Foam::solidSystem::checkTimeStep()
             stepControl::leastStep
            *(
                 systemChecks::allRigid(bodies_)
-              ? min(timeStepLimit_, runTime_.deltaTValue())
-              : timeStepLimit_
+              ? min(choice_.limit(), runTime_.deltaTValue())
+              : choice_.limit()
             )
         );
     }
-    if (timeStepLimit_ >= leastTimeStep_) return;
-    const string what = firstOf
+    if (choice_.limit() >= leastTimeStep_) return;
+    const string what = nodeMessage::firstOf
     (
-        describeHere
+        nodeMessage::here
         (
-            [&](const solidBody& b) { return b.findNodeWithin(timeStepLimit_); }
+            bodies_,
+            [&](const solidBody& b)
+            {
+                return b.findNodeWithin(choice_.limit());
+            }
         )
     );
     if (runTime_.value() != done_.start && !dry_)
@@ -90,7 +60,7 @@ void Foam::solidSystem::checkTimeStep()
         runTime_.writeNow();
     }
     FatalErrorInFunction
-        << "The stable time step has fallen to " << timeStepLimit_
+        << "The stable time step has fallen to " << choice_.limit()
         << " s, below " << leastTimeStep_ << " s (minDeltaT): "
         << what.c_str() << ", at time " << runTime_.value() << " s." << nl
         << "Likely cures: cells that are less distorted there, or a material "
@@ -112,7 +82,7 @@ void Foam::solidSystem::stopStep
         bodies_[i].restoreOld();
     }
     contacts_.restoreStart();
-    last_ = old_;
+    subCycling_.restore();
     runTime_.setTime(startOfStep_, runTime_.timeIndex() - 1);
     if (integrator_.leapfrog())
     {
@@ -146,13 +116,13 @@ void Foam::solidSystem::stopStep
 void Foam::solidSystem::stopOnBadState()
 {
     // Where, before the state is put back
-    const string where = firstOf
+    const string where = nodeMessage::firstOf
     (
         wrongNode_.size()
       ? wrongNode_
-      : describeHere
+      : nodeMessage::here
         (
-            [](const solidBody& body) { return body.findBadNode(); }
+            bodies_, [](const solidBody& body) { return body.findBadNode(); }
         )
     );
     stopStep
@@ -204,10 +174,11 @@ void Foam::solidSystem::checkEnergy()
         if (i == worst) fastest = bodies_[i].largestSpeed();
     }
     reduce(fastest, maxOp<scalar>());
-    const string where = firstOf
+    const string where = nodeMessage::firstOf
     (
-        describeHere
+        nodeMessage::here
         (
+            bodies_,
             [&](const solidBody& body)
             {
                 return

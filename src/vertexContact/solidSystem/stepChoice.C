@@ -2,21 +2,16 @@
     vertexContact: explicit large-strain contact dynamics in OpenFOAM
     Copyright (C) 2026 vertexContact developers
     SPDX-License-Identifier: GPL-3.0-or-later
--------------------------------------------------------------------------------
-Description
-    How long a step of a solidSystem may be, and how long it is. Steps of their
-    own for the bodies: subCycling.C.
-
 \*---------------------------------------------------------------------------*/
 
-#include "solidSystem.H"
+#include "stepChoice.H"
 #include "passTimes.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::scalar Foam::solidSystem::stableStep()
+Foam::scalar Foam::stepChoice::stable()
 {
-    const bool anew = bound_.due() || !integrator_.leapfrog();
+    const bool anew = bound_.due() || !leapfrog_;
     scalar shortest = GREAT, fastest = 0;
     forAll(bodies_, i)
     {
@@ -32,8 +27,8 @@ Foam::scalar Foam::solidSystem::stableStep()
         // It takes the shortest step of all
         if (bodies_[i].rigid()) bodyStep_[i] = shortest;
     }
-    if (ratios_->active()) return stableCommonStep();
-    if (integrator_.leapfrog())
+    if (subCycling_.active()) return subCycling_.stableStep(bodyStep_, bound_);
+    if (leapfrog_)
     {
         // Surfaces that meet come no closer in a step than edges do
         shortest = min(shortest, contacts_.closingTime());
@@ -47,35 +42,72 @@ Foam::scalar Foam::solidSystem::stableStep()
 }
 
 
-void Foam::solidSystem::chooseStep()
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::stepChoice::stepChoice
+(
+    Time& runTime,
+    const stepControl& control,
+    const bool leapfrog,
+    PtrList<solidBody>& bodies,
+    contactSystem& contacts,
+    subCycling& ownSteps
+)
+:
+    runTime_(runTime),
+    control_(control),
+    leapfrog_(leapfrog),
+    bodies_(bodies),
+    contacts_(contacts),
+    subCycling_(ownSteps),
+    bodyStep_(bodies.size(), scalar(0))
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::stepChoice::first()
+{
+    const scalar step = stable();
+    return
+        control_.adjusts()
+      ? min(control_.maxCo()*step, control_.maxDeltaT())
+      : runTime_.deltaTValue();
+}
+
+
+Foam::scalarField Foam::stepChoice::ofBodies() const
+{
+    scalarField steps(bodyStep_);
+    Pstream::listCombineGather(steps, minEqOp<scalar>());
+    Pstream::listCombineScatter(steps);
+    return steps;
+}
+
+
+bool Foam::stepChoice::look(const bool logs)
 {
     // A fixed step needs the stable one only where the Courant number is
     // printed
+    const bool follows = control_.adjusts() || subCycling_.active();
+    if (!follows) bound_.always();
+    if (!follows && limit_ > 0 && !logs) return false;
+    limit_ = stable();
+    return true;
+}
+
+
+void Foam::stepChoice::take()
+{
     const bool adjusts = control_.adjusts();
-    if (!adjusts && !ratios_->active()) bound_.always();
-    if
-    (
-        adjusts
-     || ratios_->active()
-     || timeStepLimit_ == 0
-     || control_.logs(done_.steps + 1, startOfStep_ + runTime_.deltaTValue())
-    )
-    {
-        timeStepLimit_ = stableStep();
-        checkTimeStep();
-    }
-    if (ratios_->active())
-    {
-        chooseSteps(adjusts);
-    }
-    else if (adjusts)
-    {
-        const scalar stable =
-            integrator_.leapfrog()
-          ? leastLimit_.of(timeStepLimit_)
-          : timeStepLimit_;
-        runTime_.setDeltaT(control_.fitted(control_.maxCo()*stable), false);
-    }
+    const bool own = subCycling_.active();
+    const scalar wanted =
+        own
+      ? subCycling_.wantedStep(leastLimit_)
+      : control_.maxCo()
+       *(leapfrog_ && adjusts ? leastLimit_.of(limit_) : limit_);
+    if (adjusts) runTime_.setDeltaT(control_.fitted(wanted), false);
+    if (own) subCycling_.divide(runTime_.deltaTValue());
 }
 
 

@@ -2,111 +2,15 @@
     vertexContact: explicit large-strain contact dynamics in OpenFOAM
     Copyright (C) 2026 vertexContact developers
     SPDX-License-Identifier: GPL-3.0-or-later
--------------------------------------------------------------------------------
-Description
-    The leapfrog with steps of their own (stepRatios).
-
 \*---------------------------------------------------------------------------*/
 
-#include "solidSystem.H"
+#include "subCycling.H"
 #include "passTimes.H"
 #include "wholeSteps.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::scalarField Foam::solidSystem::countNodes() const
-{
-    scalarField nodes(bodies_.size(), Zero);
-    forAll(bodies_, i)
-    {
-        // Of a rigid region none is evaluated
-        if (bodies_[i].rigid()) continue;
-        for (const bool mine : bodies_[i].dual().sharing().owned())
-        {
-            if (mine) ++nodes[i];
-        }
-        reduce(nodes[i], sumOp<scalar>());
-    }
-    return nodes;
-}
-
-
-Foam::scalar Foam::solidSystem::stableCommonStep()
-{
-    const label n = bodies_.size();
-    scalarList least(2*n + 1, scalar(GREAT));
-    forAll(bodies_, i)
-    {
-        least[i] = bodyStep_[i];
-        least[n + i] = -bodies_[i].fastestStretching();
-    }
-    // Surfaces that meet come no closer in a common step than edges do
-    least[2*n] = contacts_.closingTime();
-    Pstream::listCombineGather(least, minEqOp<scalar>());
-    Pstream::listCombineScatter(least);
-
-    bounds_.now.setSize(n);
-    bounds_.longest = least[2*n];
-    scalar fastestOfAll = 0;
-    for (label i = 0; i < n; ++i)
-    {
-        bounds_.now[i] = least[i];
-        const scalar fastest = -least[n + i];
-        fastestOfAll = max(fastestOfAll, fastest);
-        bounds_.longest = min
-        (
-            bounds_.longest,
-            max(bounds_.now[i], stepRatios::strain/(fastest + VSMALL))
-        );
-    }
-    bound_.seen(fastestOfAll);
-    return ratios_->commonStep(bounds_.now, bounds_.longest);
-}
-
-
-void Foam::solidSystem::chooseSteps(const bool adjusts)
-{
-    bounds_.recent = ratios_->least(bounds_.now);
-    const scalar longest = leastLimit_.of(bounds_.longest);
-    if (adjusts)
-    {
-        // Forces act over the mean of two steps. After a longer one that is
-        // within the bound with a shorter one, so that ratios stay as they are
-        // where the step falls little by little: each change of a ratio has its
-        // error. Where it falls by a third and more at once, that is no matter
-        const scalar bound =
-            control_.maxCo()*ratios_->commonStep(bounds_.recent, longest);
-        const scalar rest = 2*bound - last_.whole;
-        runTime_.setDeltaT
-        (
-            control_.fitted(rest > 0.5*bound ? min(bound, rest) : bound), false
-        );
-    }
-
-    const scalar deltaT = runTime_.deltaTValue();
-    ownSteps_ = ratios_->of
-    (
-        max(deltaT, 0.5*(last_.whole + deltaT)),
-        control_.maxCo()*bounds_.recent
-    );
-}
-
-
-void Foam::solidSystem::evaluateBody
-(
-    const label bodyi,
-    const scalar time,
-    const bool wavesAnew
-)
-{
-    solidBody& body = bodies_[bodyi];
-    body.prepare(time, true, wavesAnew);
-    body.computeFluxes(accounts_.on());
-    body.finishRates(time, accounts_.on());
-}
-
-
-void Foam::solidSystem::solveInBlocks
+void Foam::subCycling::solve
 (
     const scalar time,
     const scalar deltaT,
@@ -139,14 +43,127 @@ void Foam::solidSystem::solveInBlocks
 }
 
 
-void Foam::solidSystem::evaluateInBlocks(const scalar time, const bool moved)
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::subCycling::subCycling
+(
+    const dictionary& controlDict,
+    const stepControl& control,
+    PtrList<solidBody>& bodies,
+    contactSystem& contacts,
+    energyAccounts& accounts
+)
+:
+    control_(control),
+    bodies_(bodies),
+    contacts_(contacts),
+    accounts_(accounts),
+    ratios_(controlDict, countNodes(bodies))
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalarField Foam::subCycling::countNodes
+(
+    const PtrList<solidBody>& bodies
+)
+{
+    scalarField nodes(bodies.size(), Zero);
+    forAll(bodies, i)
+    {
+        // Of a rigid region none is evaluated
+        if (bodies[i].rigid()) continue;
+        for (const bool mine : bodies[i].dual().sharing().owned())
+        {
+            if (mine) ++nodes[i];
+        }
+        reduce(nodes[i], sumOp<scalar>());
+    }
+    return nodes;
+}
+
+
+Foam::scalar Foam::subCycling::stableStep
+(
+    const scalarList& stable,
+    boundWatch& bound
+)
+{
+    const label n = bodies_.size();
+    scalarList least(2*n + 1, scalar(GREAT));
+    forAll(bodies_, i)
+    {
+        least[i] = stable[i];
+        least[n + i] = -bodies_[i].fastestStretching();
+    }
+    // Surfaces that meet come no closer in a common step than edges do
+    least[2*n] = contacts_.closingTime();
+    Pstream::listCombineGather(least, minEqOp<scalar>());
+    Pstream::listCombineScatter(least);
+
+    bounds_.now.setSize(n);
+    bounds_.longest = least[2*n];
+    scalar fastestOfAll = 0;
+    for (label i = 0; i < n; ++i)
+    {
+        bounds_.now[i] = least[i];
+        const scalar fastest = -least[n + i];
+        fastestOfAll = max(fastestOfAll, fastest);
+        bounds_.longest = min
+        (
+            bounds_.longest,
+            max(bounds_.now[i], stepRatios::strain/(fastest + VSMALL))
+        );
+    }
+    bound.seen(fastestOfAll);
+    return ratios_.commonStep(bounds_.now, bounds_.longest);
+}
+
+
+Foam::scalar Foam::subCycling::wantedStep(recentLeast& longest)
+{
+    bounds_.recent = ratios_.least(bounds_.now);
+
+    // Forces act over the mean of two steps. After a longer one that is within
+    // the bound with a shorter one, so that ratios stay as they are where the
+    // step falls little by little: each change of a ratio has its error. Where
+    // it falls by a third and more at once, that is no matter
+    const scalar bound =
+        control_.maxCo()
+       *ratios_.commonStep(bounds_.recent, longest.of(bounds_.longest));
+    const scalar rest = 2*bound - last_.whole;
+    return rest > 0.5*bound ? min(bound, rest) : bound;
+}
+
+
+void Foam::subCycling::divide(const scalar deltaT)
+{
+    steps_ = ratios_.of
+    (
+        max(deltaT, 0.5*(last_.whole + deltaT)),
+        control_.maxCo()*bounds_.recent
+    );
+}
+
+
+void Foam::subCycling::evaluate
+(
+    const scalar time,
+    const bool moved,
+    const bool wavesAnew,
+    const std::function<scalar()>& firstStep
+)
 {
     // The displacement of a body is half of its step ahead of the momentum
     scalarField blocks(bodies_.size());
     forAll(bodies_, i)
     {
         blocks[i] = bodies_[i].lastStep();
-        evaluateBody(i, time - 0.5*(last_.whole - blocks[i]), bound_.due());
+        bodies_[i].evaluate
+        (
+            time - 0.5*(last_.whole - blocks[i]), wavesAnew, accounts_.on()
+        );
     }
     if (moved) contacts_.pairMoved(time);
     for (solidBody& body : bodies_)
@@ -154,15 +171,15 @@ void Foam::solidSystem::evaluateInBlocks(const scalar time, const bool moved)
         body.keepFreeRates();
     }
 
-    // As in evaluateForces
-    const auto solve = [&](const scalar deltaT)
+    // As solidSystem::evaluateForces
+    const auto solveFor = [&](const scalar deltaT)
     {
         const scalarField afters(bodies_.size(), 0.5*last_.shortest);
         forAll(bodies_, i)
         {
             if (wholeSteps::several(blocks[i], deltaT)) bodies_[i].startBlock();
         }
-        solveInBlocks
+        solve
         (
             time - 0.5*(last_.whole - last_.shortest), deltaT, blocks, afters
         );
@@ -172,23 +189,18 @@ void Foam::solidSystem::evaluateInBlocks(const scalar time, const bool moved)
             bodies_[i].putSurfaceBack();
         }
     };
-    solve(last_.shortest);
-    if (last_.whole == 0 && interfaces().size())
+    solveFor(last_.shortest);
+    if (last_.whole == 0 && contacts_.interfaces().size())
     {
-        const bool adjusts = control_.adjusts();
         for (label i = 0; i < 2; ++i)
         {
-            const scalar stable = stableStep();
-            const scalar step =
-                adjusts
-              ? min(control_.maxCo()*stable, control_.maxDeltaT())
-              : runTime_.deltaTValue();
+            const scalar step = firstStep();
             const stepRatios::ratios r
             (
-                ratios_->of(step, control_.maxCo()*bounds_.now)
+                ratios_.of(step, control_.maxCo()*bounds_.now)
             );
             forAll(blocks, k) blocks[k] = 0.5*step/r.steps[k];
-            solve(0.5*step/r.most);
+            solveFor(0.5*step/r.most);
         }
     }
     for (solidBody& body : bodies_)
@@ -198,12 +210,15 @@ void Foam::solidSystem::evaluateInBlocks(const scalar time, const bool moved)
 }
 
 
-void Foam::solidSystem::leapInBlocks(const scalar time)
+Foam::label Foam::subCycling::leap
+(
+    const scalar start,
+    const scalar deltaT
+)
 {
     const label n = bodies_.size();
-    const scalar deltaT = runTime_.deltaTValue();
     const scalar middle = 0.5*(last_.whole + deltaT);
-    const label most = ownSteps_.most;
+    const label most = steps_.most;
     const scalar kick = middle/most;
     const scalar ahead = 0.5*last_.shortest;
     old_ = last_;
@@ -213,9 +228,9 @@ void Foam::solidSystem::leapInBlocks(const scalar time)
     scalarField step(n), blocks(n), afters(n, ahead);
     forAll(bodies_, i)
     {
-        length[i] = most/ownSteps_.steps[i];
+        length[i] = most/steps_.steps[i];
         blocks[i] = length[i]*kick;
-        step[i] = ownSteps_.steps[i] == 1 ? deltaT : blocks[i];
+        step[i] = steps_.steps[i] == 1 ? deltaT : blocks[i];
         bodies_[i].keepStart();
         bodies_[i].restoreFreeRates();
     }
@@ -225,7 +240,7 @@ void Foam::solidSystem::leapInBlocks(const scalar time)
     const auto timeOf = [&](const label i, const label j)
     {
         return
-            startOfStep_ - 0.5*(old_.whole - bodies_[i].lastStep())
+            start - 0.5*(old_.whole - bodies_[i].lastStep())
           + j*kick;
     };
     const auto leapOver = [&](const label i, const label j)
@@ -250,7 +265,7 @@ void Foam::solidSystem::leapInBlocks(const scalar time)
             const bool begins = j % length[i] == 0;
             if (begins && j)
             {
-                evaluateBody(i, timeOf(i, j), false);
+                bodies_[i].evaluate(timeOf(i, j), false, accounts_.on());
                 nBad += bodies_[i].nBad();
             }
             if (begins && length[i] > 1) bodies_[i].startBlock();
@@ -269,9 +284,9 @@ void Foam::solidSystem::leapInBlocks(const scalar time)
                     [&] { return bodies_[i].commitPlasticity(); }
                 );
             }
-            solveInBlocks
+            solve
             (
-                startOfStep_ - 0.5*(old_.whole - old_.shortest) + j*kick,
+                start - 0.5*(old_.whole - old_.shortest) + j*kick,
                 kick, blocks, afters
             );
         }
@@ -302,39 +317,58 @@ void Foam::solidSystem::leapInBlocks(const scalar time)
         }
     }
     last_ = {deltaT, most == 1 ? deltaT : kick};
-    cost_.own += ownSteps_.evaluations;
+    cost_.own += steps_.evaluations;
     cost_.one +=
-        ratios_->nodes()*deltaT/(control_.maxCo()*min(bounds_.recent));
+        ratios_.nodes()*deltaT/(control_.maxCo()*min(bounds_.recent));
+    return nBad;
+}
 
-    if (!nBad)
+
+void Foam::subCycling::read
+(
+    const dictionary& record,
+    const dictionary& controlDict
+)
+{
+    last_.whole = record.getOrDefault<scalar>("lastStep", 0);
+    last_.shortest = record.getOrDefault<scalar>("shortStep", last_.whole);
+    if (record.found("shortStep") && !active())
     {
-        bound_.pass(deltaT);
-        evaluateForces(time, true);
-        for (const solidBody& body : bodies_) nBad += body.nBad();
+        FatalIOErrorInFunction(controlDict)
+            << "Keyword 'subCycling' is no, but the run that this one goes on "
+            << "from had steps of their own: it must be yes. "
+            << "'maxSubCycles 1' gives one step to all regions."
+            << exit(FatalIOError);
     }
-    settle(nBad);
 }
 
 
-Foam::scalarField Foam::solidSystem::stableSteps() const
+void Foam::subCycling::write(Ostream& os) const
 {
-    scalarField steps(bodyStep_);
-    Pstream::listCombineGather(steps, minEqOp<scalar>());
-    Pstream::listCombineScatter(steps);
-    return steps;
+    if (active()) os << "shortStep " << last_.shortest << ';' << nl;
 }
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::solidSystem::reportSteps(Ostream& os) const
+void Foam::subCycling::write(const label bodyi, Ostream& os) const
 {
-    if (ratios_->active() && ownSteps_.steps.size())
+    if (!active()) return;
+    os  << "    lastStep " << bodies_[bodyi].lastStep() << ';' << nl;
+    ratios_.write(bodyi, os);
+}
+
+
+void Foam::subCycling::report
+(
+    const scalarField& stable,
+    Ostream& os
+) const
+{
+    if (active() && steps_.steps.size())
     {
         os  << "Steps of their own (subCycling), now:";
         forAll(bodies_, i)
         {
-            os  << ' ' << bodies_[i].name() << ' ' << ownSteps_.steps[i];
+            os  << ' ' << bodies_[i].name() << ' ' << steps_.steps[i];
         }
         os  << " in " << last_.whole << " s; so far " << cost_.own
             << " evaluations of nodes, " << cost_.own/cost_.one
@@ -342,16 +376,15 @@ void Foam::solidSystem::reportSteps(Ostream& os) const
             << nl;
         return;
     }
-    const scalarField stable(stableSteps());
-    const scalar common = ratios_->commonStep(stable, bounds_.longest);
-    const stepRatios::ratios r(ratios_->of(common, stable));
+    const scalar common = ratios_.commonStep(stable, bounds_.longest);
+    const stepRatios::ratios r(ratios_.of(common, stable));
     os  << "With steps of their own (subCycling yes), ";
     forAll(bodies_, i)
     {
         os  << bodies_[i].name() << ' ' << r.steps[i] << ' ';
     }
     os  << "in " << common << " s times maxCo, nodes would be evaluated "
-        << ratios_->cost(common, stable) << " times as often" << nl
+        << ratios_.cost(common, stable) << " times as often" << nl
         << "    A region has one step, also where only a few of its cells are "
         << "small or stiff: regions of their own, tied, have theirs" << nl;
 }

@@ -9,6 +9,7 @@
 #include "obstacleInterface.H"
 #include "solidBody.H"
 #include "dictionaryCheck.H"
+#include "rankRows.H"
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
@@ -23,31 +24,8 @@ Foam::contactInterface::account Foam::contactInterface::account::total() const
 void Foam::contactInterface::account::total(List<account>& sums)
 {
     if (!Pstream::parRun()) return;
-    typedef FixedList<scalar, 7> values;
-    List<values> all(sums.size());
-    forAll(all, i)
-    {
-        for (direction c = 0; c < 3; ++c)
-        {
-            all[i][c] = sums[i].impulse[c];
-            all[i][3 + c] = sums[i].plusImpulse[c];
-        }
-        all[i][6] = sums[i].friction;
-    }
-    Pstream::listCombineGather(all, [](values& a, const values& b)
-    {
-        forAll(a, c) a[c] += b[c];
-    });
-    Pstream::listCombineScatter(all);
-    forAll(all, i)
-    {
-        for (direction c = 0; c < 3; ++c)
-        {
-            sums[i].impulse[c] = all[i][c];
-            sums[i].plusImpulse[c] = all[i][3 + c];
-        }
-        sums[i].friction = all[i][6];
-    }
+    combineRows(sums, plusEqOp<scalar>());
+    scatterRows(sums);
 }
 
 

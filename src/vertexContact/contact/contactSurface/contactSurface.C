@@ -6,6 +6,7 @@
 
 #include "contactSurface.H"
 #include "solidBody.H"
+#include "rankRows.H"
 #include "vectorField.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -450,11 +451,15 @@ bool Foam::contactSurface::snapshot::meet
 Foam::List<Foam::contactSurface::bodyMotion>
 Foam::contactSurface::bodyMotions(const UList<contactSide>& sides)
 {
-    // Momentum, mass; displacement times volume, volume
-    typedef FixedList<scalar, 8> sums;
-    List<sums> all(sides.size(), sums(scalar(0)));
+    struct sums
+    {
+        vector momentum = vector::zero;
+        scalar mass = 0;
+        vector displaced = vector::zero;    // times volume
+        scalar volume = 0;
+    };
+    List<sums> all(sides.size());
     List<bodyMotion> motions(sides.size());
-    if (all.empty()) return motions;
 
     forAll(all, i)
     {
@@ -468,30 +473,21 @@ Foam::contactSurface::bodyMotions(const UList<contactSide>& sides)
         const scalarField& volume = dual.nodeVolume();
         const scalar* disp = body.state().disp.cdata();
         const label d = dual.nDim();
-        const vector momentum(body.linearMomentum());
-        vector way(Zero);
+        all[i].momentum = body.linearMomentum();
+        all[i].mass = body.mass();
         forAll(volume, a)
         {
             if (!dual.sharing().owned()[a]) continue;
-            way += volume[a]*body.expand(disp + a*d);
-            all[i][7] += volume[a];
+            all[i].displaced += volume[a]*body.expand(disp + a*d);
+            all[i].volume += volume[a];
         }
-        for (direction c = 0; c < 3; ++c)
-        {
-            all[i][c] = momentum[c];
-            all[i][4 + c] = way[c];
-        }
-        all[i][3] = body.mass();
     }
-    overRanks(all, [](sums& a, const sums& b)
-    {
-        forAll(a, c) a[c] += b[c];
-    });
+    combineRows(all, plusEqOp<scalar>());
+    scatterRows(all);
     forAll(all, i)
     {
-        const sums& s = all[i];
-        motions[i].velocity = vector(s[0], s[1], s[2])/s[3];
-        motions[i].displacement = vector(s[4], s[5], s[6])/s[7];
+        motions[i].velocity = all[i].momentum/all[i].mass;
+        motions[i].displacement = all[i].displaced/all[i].volume;
     }
     return motions;
 }

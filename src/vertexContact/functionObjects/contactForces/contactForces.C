@@ -6,6 +6,7 @@
 
 #include "contactForces.H"
 #include "dictionaryCheck.H"
+#include "rankRows.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -17,27 +18,30 @@ makeSolidFunctionObject(contactForces)
 namespace
 {
 
-//- Numbers of a pair that are added up over the processors, and of which the
-//  largest counts
-constexpr Foam::label nSums = 20;
-constexpr Foam::label nPeaks = 3;
+using Foam::scalar;
+using Foam::vector;
 
-void put(Foam::scalar*& p, const Foam::vector& v)
+//- Forces on both sides of a pair, for the filter [N]
+struct pairForces
 {
-    for (const Foam::scalar c : v) *p++ = c;
-}
+    vector minus, plus;
+};
 
-void put(Foam::scalar*& p, const Foam::scalar value)
+//- Numbers of a pair that are added up over the processors
+struct pairSums
 {
-    *p++ = value;
-}
+    vector force, impulse, plusForce, plusImpulse;
+    scalar area, nOpen, nStick, nSlip, gapArea, gapForce, friction;
 
-Foam::vector take(const Foam::scalar*& p)
+    //- Magnitudes of the impulses, whatever their sign on each processor
+    scalar turnover;
+};
+
+//- And of which the largest counts
+struct pairPeaks
 {
-    const Foam::vector v(p[0], p[1], p[2]);
-    p += 3;
-    return v;
-}
+    scalar pressure, penetration, relativePenetration;
+};
 
 } // End anonymous namespace
 
@@ -72,31 +76,32 @@ void Foam::functionObjects::contactForces::filter()
         pairs[i] = solids_.interfaces()[i].pairStates();
         n += pairs[i].size();
     }
-    scalarList forces(6*n, scalar(0));
-    scalar* f = forces.data();
+    List<pairForces> forces(n);
+    label next = 0;
     for (const auto& list : pairs)
     {
         for (const contactInterface::pairState& pair : list)
         {
-            put(f, pair.stage ? pair.stage->force : vector::zero);
-            put(f, pair.stage ? pair.stage->plusForce : vector::zero);
+            const contactInterface::statistics none;
+            const auto& s = pair.stage ? *pair.stage : none;
+            forces[next++] = {s.force, s.plusForce};
         }
     }
-    Pstream::listCombineGather(forces, plusEqOp<scalar>());
+    combineRows(forces, plusEqOp<scalar>());
     if (!Pstream::master()) return;
 
-    const scalar* g = forces.cdata();
+    next = 0;
     forAll(pairs, i)
     {
         for (const contactInterface::pairState& pair : pairs[i])
         {
-            const vector force(take(g)), plusForce(take(g));
+            const pairForces& its = forces[next++];
             const word key(keyOf(solids_.interfaces()[i], pair));
-            if (mag(force) + mag(plusForce) > 0 || filtered_.found(key))
+            if (mag(its.minus) + mag(its.plus) > 0 || filtered_.found(key))
             {
                 FixedList<lowPass::state, 2>& s = filtered_(key);
-                filter_->advance(s[0], force, runTime_.deltaTValue());
-                filter_->advance(s[1], plusForce, runTime_.deltaTValue());
+                filter_->advance(s[0], its.minus, runTime_.deltaTValue());
+                filter_->advance(s[1], its.plus, runTime_.deltaTValue());
             }
         }
     }
@@ -126,7 +131,7 @@ void Foam::functionObjects::contactForces::writeRecord(Ostream& os)
 
 void Foam::functionObjects::contactForces::readRecord()
 {
-    const dictionary record(solids_.functionRecord(name()));
+    const dictionary record(solids_.records().of(name()));
     if (!Pstream::master() || !record.found("pairs")) return;
 
     const List<string> pairs(record.get<List<string>>("pairs"));
@@ -180,7 +185,7 @@ Foam::functionObjects::contactForces::contactForces
         filter_.reset(new lowPass(frequency, nPoles));
         filteredStep_ = runTime_.timeIndex();
         readRecord();
-        solids_.keepRecord(name, [this](Ostream& os) { writeRecord(os); });
+        solids_.records().keep(name, [this](Ostream& os) { writeRecord(os); });
     }
     else if (dict.found("filterPoles"))
     {
@@ -268,50 +273,40 @@ bool Foam::functionObjects::contactForces::writeRow()
         const List<contactInterface::pairState> pairs(contact.pairStates());
 
         // Two reductions for all pairs
-        scalarList sums(nSums*pairs.size(), scalar(0));
-        scalarList peaks(nPeaks*pairs.size(), scalar(0));
-        scalar* p = sums.data();
-        scalar* peak = peaks.data();
-        for (const contactInterface::pairState& pair : pairs)
+        List<pairSums> sums(pairs.size());
+        List<pairPeaks> peaks(pairs.size());
+        forAll(pairs, j)
         {
             const contactInterface::statistics none;
-            const auto& s = pair.stage ? *pair.stage : none;
-            put(p, s.force);
-            put(p, pair.sums->impulse);
-            put(p, s.plusForce);
-            put(p, pair.sums->plusImpulse);
-            put(p, s.area);
-            put(p, s.nOpen);
-            put(p, s.nStick);
-            put(p, s.nSlip);
-            put(p, s.gapArea);
-            put(p, s.gapForce);
-            put(p, pair.sums->friction);
-
-            // Whatever its sign, on each processor
-            put(p, mag(pair.sums->impulse) + mag(pair.sums->plusImpulse));
-            put(peak, s.peakPressure);
-            put(peak, s.penetration);
-            put(peak, s.relativePenetration);
+            const auto& s = pairs[j].stage ? *pairs[j].stage : none;
+            const auto& account = *pairs[j].sums;
+            sums[j] =
+            {
+                s.force, account.impulse, s.plusForce, account.plusImpulse,
+                s.area, scalar(s.nOpen), scalar(s.nStick), scalar(s.nSlip),
+                s.gapArea, s.gapForce, account.friction,
+                mag(account.impulse) + mag(account.plusImpulse)
+            };
+            peaks[j] = {s.peakPressure, s.penetration, s.relativePenetration};
         }
-        Pstream::listCombineGather(sums, plusEqOp<scalar>());
-        Pstream::listCombineGather(peaks, maxEqOp<scalar>());
+        combineRows(sums, plusEqOp<scalar>());
+        combineRows(peaks, maxEqOp<scalar>());
         if (!Pstream::master()) continue;
 
         OFstream& os = files_[i];
         forAll(pairs, j)
         {
-            const scalar* s = sums.cdata() + nSums*j;
-            const scalar* most = peaks.cdata() + nPeaks*j;
+            const pairSums& s = sums[j];
+            const pairPeaks& most = peaks[j];
             const word key(keyOf(contact, pairs[j]));
             const auto known = filtered_.cfind(key);
             if (contact.many())
             {
                 // Those that touch, or have since the last row
-                const bool touches = s[14] + s[15] > 0;
+                const bool touches = s.nStick + s.nSlip > 0;
                 scalar& last = impulses_[i](key);
-                const bool touched = s[19] != last;
-                last = s[19];
+                const bool touched = s.turnover != last;
+                last = s.turnover;
                 if (!touches && !touched && !known.good()) continue;
             }
 
@@ -321,19 +316,24 @@ bool Foam::functionObjects::contactForces::writeRow()
                 os  << ' ' << pairs[j].names.first().c_str()
                     << ' ' << pairs[j].names.second().c_str();
             }
-            for (label c = 0; c < 13; ++c) os << ' ' << s[c];
-            for (label c = 0; c < nPeaks; ++c) os << ' ' << most[c];
-            for (label c = 13; c < 16; ++c) os << ' ' << label(s[c]);
-            for (label c = 16; c < 19; ++c) os << ' ' << s[c];
+            appendNumbers
+            (
+                os, s.force, s.impulse, s.plusForce, s.plusImpulse, s.area,
+                most.pressure, most.penetration, most.relativePenetration
+            );
+            for (const scalar n : {s.nOpen, s.nStick, s.nSlip})
+            {
+                os  << ' ' << label(n);
+            }
+            appendNumbers(os, s.gapArea, s.gapForce, s.friction);
             if (filter_.valid())
             {
                 for (label side = 0; side < 2; ++side)
                 {
-                    const vector y
+                    appendNumbers
                     (
-                        known.good() ? (*known)[side].value : vector::zero
+                        os, known.good() ? (*known)[side].value : vector::zero
                     );
-                    os  << ' ' << y.x() << ' ' << y.y() << ' ' << y.z();
                 }
             }
             os  << endl;

@@ -5,21 +5,11 @@
 \*---------------------------------------------------------------------------*/
 
 #include "reactionForces.H"
+#include "rankRows.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
 makeSolidFunctionObject(reactionForces)
-
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace
-{
-
-//- Numbers of a patch: impulse, work, impulse of the step, and its twist
-constexpr Foam::label nSums = 10;
-
-} // End anonymous namespace
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -42,39 +32,37 @@ Foam::word Foam::functionObjects::reactionForces::nameOf
 }
 
 
-Foam::scalarList Foam::functionObjects::reactionForces::collect
+Foam::List<Foam::constraintReactions::patchReaction>
+Foam::functionObjects::reactionForces::collect
 (
     scalarList& times
 ) const
 {
-    DynamicList<scalar> sums, its;
+    DynamicList<constraintReactions::patchReaction> all;
+    DynamicList<scalar> its;
     forAll(patches_, i)
     {
         const constraintReactions& reactions =
             *solids_.bodies()[i].reactions();
         for (const label patchi : patches_[i])
         {
-            const constraintReactions::patchReaction& r =
-                reactions.of(patchi);
-            for (const scalar c : r.impulse) sums.append(c);
-            sums.append(r.work);
-            for (const scalar c : r.stepImpulse) sums.append(c);
-            for (const scalar c : r.stepTwist) sums.append(c);
+            all.append(reactions.of(patchi));
             its.append(reactions.stepTime());
         }
     }
     times = its;
-    scalarList all(sums);
-    Pstream::listCombineGather(all, plusEqOp<scalar>());
-    return all;
+    List<constraintReactions::patchReaction> sums(all);
+    combineRows(sums, plusEqOp<scalar>());
+    return sums;
 }
 
 
 void Foam::functionObjects::reactionForces::writeRecord(Ostream& os) const
 {
     scalarList times;
-    scalarList sums(collect(times));
-    Pstream::listCombineScatter(sums);
+    List<constraintReactions::patchReaction> sums(collect(times));
+    // Every rank writes
+    scatterRows(sums);
     os  << "    patches (";
     forAll(patches_, i)
     {
@@ -86,7 +74,10 @@ void Foam::functionObjects::reactionForces::writeRecord(Ostream& os) const
     os  << ");" << nl << "    times (";
     for (const scalar t : times) os  << ' ' << t;
     os  << ");" << nl << "    sums (";
-    for (const scalar s : sums) os  << ' ' << s;
+    for (const constraintReactions::patchReaction& r : sums)
+    {
+        appendNumbers(os, r.impulse, r.work, r.stepImpulse, r.stepTwist);
+    }
     os  << ");" << nl;
 }
 
@@ -129,7 +120,7 @@ Foam::functionObjects::reactionForces::reactionForces
     }
 
     solids_.accountReactions();
-    const dictionary record(solids_.functionRecord(name));
+    const dictionary record(solids_.records().of(name));
     if (record.found("patches"))
     {
         const List<string> names(record.get<List<string>>("patches"));
@@ -151,13 +142,13 @@ Foam::functionObjects::reactionForces::reactionForces
                     r.impulse = vector(s[0], s[1], s[2]);
                     r.work = s[3];
                     r.stepImpulse = vector(s[4], s[5], s[6]);
-                    if (stride == nSums) r.stepTwist = vector(s[7], s[8], s[9]);
+                    if (stride > 7) r.stepTwist = vector(s[7], s[8], s[9]);
                 }
                 solids_.continueReaction(i, patchi, r, times[k]);
             }
         }
     }
-    solids_.keepRecord(name, [this](Ostream& os) { writeRecord(os); });
+    solids_.records().keep(name, [this](Ostream& os) { writeRecord(os); });
 
     file_ = openFile("reactions.dat");
     if (Pstream::master())
@@ -193,7 +184,7 @@ Foam::functionObjects::reactionForces::reactionForces
 bool Foam::functionObjects::reactionForces::writeRow()
 {
     scalarList times;
-    const scalarList sums(collect(times));
+    const List<constraintReactions::patchReaction> sums(collect(times));
     if (Pstream::master())
     {
         *file_ << runTime_.value();
@@ -203,14 +194,13 @@ bool Foam::functionObjects::reactionForces::writeRow()
             const bool rigid = solids_.bodies()[i].rigid();
             for (label p = 0; p < patches_[i].size(); ++p, ++k)
             {
-                const scalar* s = sums.cdata() + k*nSums;
+                const constraintReactions::patchReaction& r = sums[k];
                 const scalar perTime = times[k] > 0 ? 1/times[k] : 0;
-                for (label c = 4; c < 7; ++c) *file_ << ' ' << s[c]*perTime;
-                for (label c = 0; c < 4; ++c) *file_ << ' ' << s[c];
-                for (label c = 7; rigid && c < 10; ++c)
-                {
-                    *file_ << ' ' << s[c]*perTime;
-                }
+                appendNumbers
+                (
+                    *file_, r.stepImpulse*perTime, r.impulse, r.work
+                );
+                if (rigid) appendNumbers(*file_, r.stepTwist*perTime);
             }
         }
         *file_ << endl;

@@ -156,7 +156,7 @@ Foam::functionObjects::solidFunctionObject::~solidFunctionObject()
     // The bodies may be gone first
     if (runTime_.foundObject<solidSystem>("solidSystem"))
     {
-        solids_.dropRecord(name());
+        solids_.records().drop(name());
     }
 }
 
