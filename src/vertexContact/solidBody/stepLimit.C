@@ -6,9 +6,8 @@
 
 #include "stepLimit.H"
 #include "lanczos.H"
-#include "rows.H"
+#include "edgeRows.H"
 #include "solidTensor.H"
-#include "variationalEdge.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -38,7 +37,8 @@ class stepOperator
         scalar ofK_ = 0;
         labelList place_;
 
-        //- Of edges: area vector, which way
+        //- Of edges: area vector and its magnitude; which way, and one over
+        //  how far
         alignedScalars area_;
         alignedScalars reach_;
 
@@ -68,7 +68,7 @@ class stepOperator
             std::fill(f.data(), f.data() + f.size(), scalar(0));
         }
 
-        //- f(edge, node, node, area, way)
+        //- f(node, node, area, way), with what stands behind them
         template<class Function>
         void forEdges(const Function& f)
         {
@@ -76,7 +76,7 @@ class stepOperator
             {
                 f
                 (
-                    e, index(edge_[2*e]), index(edge_[2*e + 1]),
+                    index(edge_[2*e]), index(edge_[2*e + 1]),
                     rowAt<4>(area_.data() + 4*e), rowAt<4>(reach_.data() + 4*e)
                 );
             }
@@ -117,8 +117,7 @@ class stepOperator
             zero(grad_);
             forEdges([&]
             (
-                const index, const index a, const index b,
-                const vec& C, const vec&
+                const index a, const index b, const vec& C, const vec&
             )
             {
                 const vec change =
@@ -151,8 +150,7 @@ class stepOperator
                 zero(more_);
                 forEdges([&]
                 (
-                    const index, const index a, const index b,
-                    const vec& C, const vec& r
+                    const index a, const index b, const vec& C, const vec& r
                 )
                 {
                     vec f{};
@@ -229,6 +227,10 @@ public:
                 area_[4*e + j] = d.edgeArea()[e*D + j];
                 reach_[4*e + j] = X[edge_[2*e + 1]*D + j] - X[edge_[2*e]*D + j];
             }
+            const vec C = rowAt<4>(area_.data() + 4*e);
+            const vec way = rowAt<4>(reach_.data() + 4*e);
+            area_[4*e + 3] = std::sqrt(dot(C, C) + VSMALL);
+            reach_[4*e + 3] = 1/std::sqrt(dot(way, way));
         }
     }
 
@@ -264,10 +266,10 @@ public:
         y = Zero;
         zero(more_);
         const scalar wave = 0.5*ofC_*x_.frontEpsilon;
+        const scalar jumpModulus = ofK_*x_.jumpModulus/d_.rho;
         forEdges([&]
         (
-            const index e, const index a, const index b,
-            const vec& C, const vec& r
+            const index a, const index b, const vec& C, const vec& r
         )
         {
             vec change{}, difference{};
@@ -283,22 +285,19 @@ public:
                 rowAt<4>(w_.data() + 4*b) - rowAt<4>(w_.data() + 4*a) - change;
 
             // Of the velocities the stretching is left
-            const scalar perLength2 = 1/dot(r, r);
-            const vec left = jump + (dot(change, r)*perLength2)*r;
-            const scalar magC = std::sqrt(dot(C, C) + VSMALL);
+            const vec c = threeOf(C), way = threeOf(r);
+            const scalar magC = C[3], perLength2 = sqr(r[3]);
+            const vec left = jump + (dot(change, way)*perLength2)*way;
             const vec s =
                 (wave*d_.cs*magC)*left
-              + (wave*(d_.cp - d_.cs)*dot(left, C)/magC)*C;
-            const vec elastic =
-                (
-                    ofK_/d_.rho
-                   *edgeStiffness(x_.jumpModulus, dot(C, C), dot(r, r))
-                )
-               *jump;
+              + (wave*(d_.cp - d_.cs)*dot(left, c)/magC)*c;
+            // edgeStiffness()
+            const vec elastic = (jumpModulus*magC*r[3])*jump;
             rowAt<4>(y.data() + 4*a) -= s + elastic;
             rowAt<4>(y.data() + 4*b) += s + elastic;
 
-            const vec both = -0.5*(s - (dot(s, r)*perLength2)*r + elastic);
+            const vec both =
+                -0.5*(s - (dot(s, way)*perLength2)*way + elastic);
             for (int j = 0; j < D; ++j)
             {
                 vec& Ta = column(more_, a, j);
@@ -316,8 +315,7 @@ public:
         // The adjoint of G
         forEdges([&]
         (
-            const index, const index a, const index b,
-            const vec& C, const vec&
+            const index a, const index b, const vec& C, const vec&
         )
         {
             vec f{};
