@@ -57,7 +57,8 @@ inline edgeMotion<D, lanes> motionAt(const scalar* block, const lanes* dx)
         xx += dx[i]*dx[i];
     }
     m.stretching = laneAt(block, D);
-    m.perLength2 = reciprocal(xx);
+    // Along a line nothing has to be projected
+    if constexpr (D > 1) m.perLength2 = reciprocal(xx);
     return m;
 }
 

@@ -14,6 +14,7 @@ Description
 #include "edgeBlocks.H"
 #include "edgeRows.H"
 #include "variationalEdge.H"
+#include "FixedList.H"
 
 #include <random>
 
@@ -123,6 +124,43 @@ TEST_CASE("dissipation of an edge has a sign", "[variational][serial]")
         }
         CHECK(byJump >= 0);
         CHECK(byMotion == Approx(byJump).epsilon(1e-10).margin(1e-13));
+    }
+}
+
+
+TEST_CASE("an edge of a line is one in space", "[variational][serial]")
+{
+    for (int k = 0; k < 100; ++k)
+    {
+        const movingEdge e;
+        const auto alone = [](const scalar* v)
+        {
+            return FixedList<scalar, 3>{v[0], 0, 0};
+        };
+        const auto dx = alone(e.dx), dv = alone(e.dv);
+        const auto change = alone(e.change), c = alone(e.c);
+        const scalar CC = sqr(e.c[0]);
+        const edgeMotion<1, scalar> m(e.dx, e.dv, e.change);
+        const edgeMotion<3, scalar> its
+        (
+            dx.cdata(), dv.cdata(), change.cdata()
+        );
+        CHECK(m.jump[0] == its.jump[0]);
+        CHECK(m.stretching == Approx(its.stretching));
+        CHECK(m.closing == Approx(its.closing));
+        CHECK(m.jj == Approx(its.jj));
+        CHECK(m.mm == Approx(its.mm));
+
+        const edgeDissipation<1, scalar> f
+        (
+            m, e.c, CC, e.factor, e.leftOut, e.share, 1.5, 0.7
+        );
+        const edgeDissipation<3, scalar> itsForce
+        (
+            its, c.cdata(), CC, e.factor, e.leftOut, e.share, 1.5, 0.7
+        );
+        CHECK(f.s[0] == Approx(itsForce.s[0]));
+        CHECK(f.z[0] == Approx(itsForce.z[0]).margin(1e-12));
     }
 }
 
