@@ -63,6 +63,401 @@ inline edgeMotion<D, lanes> motionAt(const scalar* block, const lanes* dx)
 }
 
 
+//- The corrections of a block of edges: what it reads and adds to
+template<int D, bool finite>
+template<bool corrects>
+class variationalKernelTemplate<D, finite>::corrector
+{
+    static constexpr int sT = D*sA;
+
+    // In 2D and 3D: sums of the first node, in registers as long as it is the
+    // same. In 2D both columns are one row
+    static constexpr int wC = D == 3 && !corrects ? 4 : 8;
+    static constexpr int nC = D == 2 ? 1 : D;
+
+    // Private data
+
+        const scalar* U_;
+        const scalar* grad_;
+        const scalar* rush_;
+        const scalar half_;
+        const scalar jumpModulus_;
+        scalar* correction_;
+        scalar* sensor_;
+
+        index node_ = -1;
+        alignas(registerBytes) row<wC> columns_[nC] = {};
+        row<8> other_{};
+
+        lanes closing_{}, opening_{};
+
+
+    // Private Member Functions
+
+        //- The first node of edge l
+        __attribute__((always_inline))
+        inline void comeTo(const index a)
+        {
+            if (a == node_) return;
+            keep();
+            node_ = a;
+            #pragma GCC unroll 3
+            for (int j = 0; j < nC; ++j)
+            {
+                columns_[j] = rowAt<wC>(correction_ + a*sT + j*sA);
+            }
+            other_ = rowAt<8>(sensor_ + a*sS);
+        }
+
+        //- Edges as they are, and differences of velocities.
+        //  \param change  of both nodes of U
+        __attribute__((always_inline))
+        static inline void setEdge
+        (
+            lanes* dx,
+            lanes* dv,
+            const scalar* r,
+            const lanes* change
+        )
+        {
+            for (int i = 0; i < D; ++i)
+            {
+                dx[i] =
+                    finite ? laneAt(r, i) + change[atU + i] : laneAt(r, i);
+                dv[i] = change[atU + second + i];
+            }
+        }
+
+        //- How fast edges become shorter and longer
+        __attribute__((always_inline))
+        inline void see(const edgeMotion<D, lanes>& m)
+        {
+            closing_ = max(closing_, m.closing);
+            opening_ = max(opening_, -m.closing);
+        }
+
+        //- Square of the haste of edges.
+        //  \param acceleration  difference of both nodes
+        __attribute__((always_inline))
+        static inline lanes haste(const lanes* acceleration, const lanes* dx)
+        {
+            lanes along{};
+            for (int i = 0; i < D; ++i) along += acceleration[i]*dx[i];
+            return along*along;
+        }
+
+        __attribute__((always_inline))
+        inline lanes stiffness(const scalar* C, const scalar* r) const
+        {
+            lanes CC{}, rr{};
+            for (int j = 0; j < D; ++j)
+            {
+                CC += laneAt(C, j)*laneAt(C, j);
+                rr += laneAt(r, j)*laneAt(r, j);
+            }
+            return edgeStiffness(jumpModulus_, CC, rr);
+        }
+
+
+public:
+
+    corrector(vertexData& d, variationalData& x)
+    :
+        U_(x.U.cdata()),
+        grad_(x.grad.cdata()),
+        rush_(x.acceleration.cdata()),
+        half_(0.5*x.beta),
+        jumpModulus_(x.jumpModulus),
+        correction_(x.adjoint.data()),
+        sensor_(x.sensor.data())
+    {}
+
+
+    //- What the sums of a node begin with
+    __attribute__((always_inline))
+    inline void begin(const index a) const
+    {
+        zeroAt<sT>(correction_ + a*sT);
+        zeroAt<sS>(sensor_ + a*sS);
+    }
+
+    //- The node whose sums are in registers
+    index node() const { return node_; }
+
+    //- Write them
+    __attribute__((always_inline))
+    inline void keep() const
+    {
+        if (D == 1 || node_ < 0) return;
+        #pragma GCC unroll 3
+        for (int j = 0; j < nC; ++j)
+        {
+            rowAt<wC>(correction_ + node_*sT + j*sA) = columns_[j];
+        }
+        rowAt<8>(sensor_ + node_*sS) = other_;
+    }
+
+    //- The largest rates of all edges so far
+    void rates(scalar& closing, scalar& fastest) const
+    {
+        for (int l = 0; l < nLanes; ++l)
+        {
+            closing = max(closing, closing_[l]);
+            fastest = max(fastest, max(closing_[l], opening_[l]));
+        }
+    }
+
+
+    //- A block of edges: in one dimension
+    //  \param ends  both nodes of each edge
+    //  \param n  edges
+    //  \param C, r  area and reach, in lanes
+    //  \param motion  what the fluxes need
+    __attribute__((always_inline))
+    inline void block1
+    (
+        const label* ends,
+        const int n,
+        const scalar* C,
+        const scalar* r,
+        scalar* motion
+    )
+    {
+        // Differences of displacement and velocity; that of the first
+        // derivatives, the sum of the second
+        constexpr row<4> sign = {-1, 1, 0, 0};
+        lanes of[8], dx[D], dv[D];
+        lanesOf(of, [&](const int l)
+        {
+            const index a = ends[2*l], b = ends[2*l + 1];
+            return joined
+            (
+                rowAt<4>(U_ + b*sU) - rowAt<4>(U_ + a*sU),
+                rowAt<4>(grad_ + a*sA) + sign*rowAt<4>(grad_ + b*sA)
+            );
+        });
+        setEdge(dx, dv, r, of);
+        const lanes change[D] = {0.5*of[5]*dx[0]};
+        const edgeMotion<D, lanes> m(dx, dv, change);
+        store(motion, m);
+        see(m);
+        const lanes more =
+            corrects ? half_*of[4]*laneAt(r, 0)*laneAt(C, 0) : lanes{};
+        alignas(registerBytes) row<4> rows[nLanes];
+        fourRowsOf(rows, {m.jj, m.mm, more, lanes{}});
+        for (int l = 0; l < n; ++l)
+        {
+            const index a = ends[2*l], b = ends[2*l + 1];
+            const scalar* f = reinterpret_cast<const scalar*>(&rows[l]);
+            rowAt<2>(sensor_ + a*sS) += rowAt<2>(f);
+            rowAt<2>(sensor_ + b*sS) += rowAt<2>(f);
+            if constexpr (corrects)
+            {
+                correction_[a*sT] += f[2];
+                correction_[b*sT] -= f[2];
+            }
+        }
+    }
+
+
+    //- The same in two: all in lanes
+    __attribute__((always_inline))
+    inline void block2
+    (
+        const label* ends,
+        const int n,
+        const scalar* C,
+        const scalar* r,
+        scalar* motion
+    )
+    {
+        const lanes k = stiffness(C, r);
+        lanes of[8], sum[8], difference[8], dx[D], dv[D];
+        lanesOf(of, [&](const int l)
+        {
+            const index a = ends[2*l], b = ends[2*l + 1];
+            return rowAt<8>(U_ + b*sU) - rowAt<8>(U_ + a*sU);
+        });
+        setEdge(dx, dv, r, of);
+        inOrder();
+        lanesOf(sum, [&](const int l)
+        {
+            const index a = ends[2*l], b = ends[2*l + 1];
+            return rowAt<8>(grad_ + a*sT) + rowAt<8>(grad_ + b*sT);
+        });
+        if constexpr (corrects)
+        {
+            inOrder();
+            lanesOf(difference, [&](const int l)
+            {
+                const index a = ends[2*l], b = ends[2*l + 1];
+                return rowAt<8>(grad_ + a*sT) - rowAt<8>(grad_ + b*sT);
+            });
+        }
+
+        // What is added to columns, and to forces and squares
+        lanes out[8] = {}, change[D];
+        for (int i = 0; i < D; ++i)
+        {
+            change[i] = 0.5*(sum[D + i]*dx[0] + sum[sA + D + i]*dx[1]);
+            const lanes force =
+                k
+               *(
+                    of[atU + i]
+                  - 0.5*(sum[i]*laneAt(r, 0) + sum[sA + i]*laneAt(r, 1))
+                );
+            out[D + i] = -0.5*force;
+            if constexpr (corrects)
+            {
+                out[i] =
+                    half_
+                   *(
+                        difference[i]*laneAt(r, 0)
+                      + difference[sA + i]*laneAt(r, 1)
+                    );
+            }
+        }
+        const edgeMotion<D, lanes> m(dx, dv, change);
+        store(motion, m);
+        see(m);
+        out[4] = m.jj;
+        out[5] = m.mm;
+        out[6] = haste(of + atU + 2*D, dx);
+        out[7] = m.mm;
+        alignas(registerBytes) row<8> rows[nLanes];
+        rowsOf(rows, out);
+        alignas(registerBytes) row<8> columns[nLanes];
+        if constexpr (corrects)
+        {
+            lanes toA[8];
+            for (int j = 0; j < D; ++j)
+            {
+                for (int i = 0; i < D; ++i)
+                {
+                    toA[j*sA + i] = out[i]*laneAt(C, j);
+                    toA[j*sA + second + i] = out[D + i]*laneAt(r, j);
+                }
+            }
+            rowsOf(columns, toA);
+        }
+
+        for (int l = 0; l < n; ++l)
+        {
+            const index b = ends[2*l + 1];
+            comeTo(ends[2*l]);
+            const row<8>& f = rows[l];
+            constexpr row<8> sign = {-1, -1, 1, 1, -1, -1, 1, 1};
+            constexpr row<8> forceSign = {1, 1, -1, -1, 1, 1, 1, 1};
+            if constexpr (corrects)
+            {
+                const row<8>& column = columns[l];
+                columns_[0] += column;
+                rowAt<8>(correction_ + b*sT) += sign*column;
+            }
+            else
+            {
+                const row<8> column =
+                    picked<2, 3, 8, 8, 2, 3, 8, 8>(f)
+                   *halves(r[l], r[nLanes + l]);
+                columns_[0] += column;
+                rowAt<8>(correction_ + b*sT) += column;
+            }
+            other_ += f;
+            rowAt<8>(sensor_ + b*sS) += forceSign*f;
+        }
+    }
+
+
+    //- The same in three: what is of first degree edge by edge
+    __attribute__((always_inline))
+    inline void block3
+    (
+        const label* ends,
+        const int n,
+        const scalar* C,
+        const scalar* r,
+        scalar* motion
+    )
+    {
+        const lanes stiff = stiffness(C, r);
+        const scalar* k = reinterpret_cast<const scalar*>(&stiff);
+        alignas(registerBytes) row<8> differences[nLanes];
+        alignas(registerBytes) row<8> sums[nLanes];
+        alignas(registerBytes) row<4> force[nLanes];
+        lanes of[8], dx[D], dv[D], change[D];
+        lanesOf(of, [&](const int l)
+        {
+            const index a = ends[2*l], b = ends[2*l + 1];
+            return
+                differences[l] = rowAt<8>(U_ + b*sU) - rowAt<8>(U_ + a*sU);
+        });
+        setEdge(dx, dv, r, of);
+
+        // G r of the displacement, L dx of the velocity: from both nodes; the
+        // acceleration besides
+        const scalar* byV =
+            finite ? reinterpret_cast<const scalar*>(dx) : r;
+        lanesOf(of, [&](const int l)
+        {
+            const index a = ends[2*l], b = ends[2*l + 1];
+            row<8> ofA{}, ofB{};
+            #pragma GCC unroll 3
+            for (int j = 0; j < D; ++j)
+            {
+                const row<8> by = halves(r[j*nLanes + l], byV[j*nLanes + l]);
+                ofA += by*rowAt<8>(grad_ + (a*D + j)*sA);
+                ofB += by*rowAt<8>(grad_ + (b*D + j)*sA);
+            }
+            const row<8> sum = ofA + ofB;
+            force[l] = k[l]*threeOf(lower(differences[l]) - 0.5*lower(sum));
+            if constexpr (corrects)
+            {
+                sums[l] =
+                    joined(half_*(lower(ofA) - lower(ofB)), -0.5*force[l]);
+            }
+            return spliced
+            (
+                threeAt(rush_ + b*D) - threeAt(rush_ + a*D), sum
+            );
+        });
+        for (int i = 0; i < D; ++i) change[i] = 0.5*of[second + i];
+        const edgeMotion<D, lanes> m(dx, dv, change);
+        store(motion, m);
+        see(m);
+        alignas(registerBytes) row<4> squares[nLanes];
+        fourRowsOf(squares, {m.jj, m.mm, haste(of, dx), lanes{}});
+
+        for (int l = 0; l < n; ++l)
+        {
+            const index b = ends[2*l + 1];
+            scalar* Cb = correction_ + b*sT;
+            comeTo(ends[2*l]);
+            constexpr row<8> sign = {-1, -1, -1, -1, 1, 1, 1, 1};
+            #pragma GCC unroll 3
+            for (int j = 0; j < D; ++j)
+            {
+                const scalar rj = r[j*nLanes + l];
+                if constexpr (corrects)
+                {
+                    const row<8> by = halves(C[j*nLanes + l], rj);
+                    columns_[j] += by*sums[l];
+                    rowAt<8>(Cb + j*sA) += by*(sign*sums[l]);
+                }
+                else
+                {
+                    const row<4> f = force[l]*(-0.5*rj);
+                    columns_[j] += f;
+                    rowAt<4>(Cb + j*sA) += f;
+                }
+            }
+            const row<8> other = joined(-0.5*force[l], squares[l]);
+            other_ += other;
+            rowAt<8>(sensor_ + b*sS) += sign*other;
+        }
+    }
+};
+
+
 template<int D, bool finite>
 template<bool corrects>
 label variationalKernelTemplate<D, finite>::correctLoop
@@ -72,53 +467,8 @@ label variationalKernelTemplate<D, finite>::correctLoop
     edgePass& pass
 )
 {
-    constexpr int sT = D*sA;
-    const scalar* U = x.U.cdata();
-    const scalar* grad = x.grad.cdata();
-    const scalar half = 0.5*x.beta;
-    scalar* correction = x.adjoint.data();
-    scalar* sensor = x.sensor.data();
-    scalar* rates = d.rates.data();
-    lanes closing{}, opening{};
     if (pass.edge == 0) x.closing = x.fastest = 0;
-
-    // In 2D and 3D: sums of the first node, in registers as long as it is the
-    // same. In 2D both columns are one row
-    constexpr int wC = D == 3 && !corrects ? 4 : 8;
-    constexpr int nC = D == 2 ? 1 : D;
-    struct
-    {
-        index node = -1;
-        alignas(registerBytes) row<wC> columns[nC] = {};
-        row<8> other{};
-    } first;
-    const auto keep = [&]()
-    {
-        if constexpr (D > 1)
-        {
-            if (first.node < 0) return;
-            #pragma GCC unroll 3
-            for (int j = 0; j < nC; ++j)
-            {
-                rowAt<wC>(correction + first.node*sT + j*sA) =
-                    first.columns[j];
-            }
-            rowAt<8>(sensor + first.node*sS) = first.other;
-        }
-    };
-    const auto come = [&](const index a)
-    {
-        if constexpr (D > 1)
-        {
-            first.node = a;
-            #pragma GCC unroll 3
-            for (int j = 0; j < nC; ++j)
-            {
-                first.columns[j] = rowAt<wC>(correction + a*sT + j*sA);
-            }
-            first.other = rowAt<8>(sensor + a*sS);
-        }
-    };
+    corrector<corrects> sums(d, x);
 
     completeNodes complete(x.lateNodes, pass);
     const label firstLate = pass.late;
@@ -138,294 +488,39 @@ label variationalKernelTemplate<D, finite>::correctLoop
     edgeBlocks block(d.dual, x.toMeet, pass);
     const auto begin = [&](const index a)
     {
-        zeroAt<sT>(correction + a*sT);
-        zeroAt<sS>(sensor + a*sS);
-        if constexpr (D == 1) zeroAt<sR>(rates + a*sR);
+        sums.begin(a);
+        if constexpr (D == 1) zeroAt<sR>(d.rates.data() + a*sR);
     };
     for (; block.valid(); ++block)
     {
         // All edges before this block are done, and so are the nodes before
         // its first one, or, in 2D and 3D, that of the last edge
         if constexpr (D == 1) completeBefore(block.nodes()[0]);
-        else if (block.completes()) completeBefore(first.node);
+        else if (block.completes()) completeBefore(sums.node());
         block.ahead([&](const index a)
         {
-            prefetch<sU>(U + a*sU);
-            prefetch<sA*D>(grad + a*D*sA);
+            prefetch<sU>(x.U.cdata() + a*sU);
+            prefetch<sA*D>(x.grad.cdata() + a*D*sA);
             begin(a);
         });
         const label* ends = block.nodes();
+        const int n = block.size();
         const index e = block.first();
         const scalar* C = x.area.cdata() + e*D;
         const scalar* r = x.reach.cdata() + e*D;
         scalar* motion = x.motion.data() + (e & places)*nM;
-
-        lanes dx[D], dv[D], change[D], acceleration[D], CC{}, rr{};
-        for (int j = 0; D > 1 && j < D; ++j)
-        {
-            CC += laneAt(C, j)*laneAt(C, j);
-            rr += laneAt(r, j)*laneAt(r, j);
-        }
-        const lanes stiffness = edgeStiffness(x.jumpModulus, CC, rr);
-        const auto setEdge = [&](const lanes* U)
-        {
-            for (int i = 0; i < D; ++i)
-            {
-                dx[i] = finite ? laneAt(r, i) + U[atU + i] : laneAt(r, i);
-                dv[i] = U[atU + second + i];
-            }
-        };
-        const auto squaresOf = [&](const edgeMotion<D, lanes>& m)
-        {
-            closing = max(closing, m.closing);
-            opening = max(opening, -m.closing);
-            lanes hastening{};
-            if constexpr (D > 1)
-            {
-                for (int i = 0; i < D; ++i) hastening += acceleration[i]*dx[i];
-            }
-            return hastening*hastening;
-        };
-
-        if constexpr (D == 3)
-        {
-            const scalar* rush = x.acceleration.cdata();
-            const scalar* k = reinterpret_cast<const scalar*>(&stiffness);
-            alignas(registerBytes) row<8> differences[nLanes];
-            alignas(registerBytes) row<8> sums[nLanes];
-            alignas(registerBytes) row<4> force[nLanes];
-            lanes of[8];
-            lanesOf(of, [&](const int l)
-            {
-                const index a = ends[2*l], b = ends[2*l + 1];
-                return
-                    differences[l] = rowAt<8>(U + b*sU) - rowAt<8>(U + a*sU);
-            });
-            setEdge(of);
-
-            // G r of the displacement, L dx of the velocity: from both nodes;
-            // the acceleration besides
-            const scalar* byV =
-                finite ? reinterpret_cast<const scalar*>(dx) : r;
-            lanesOf(of, [&](const int l)
-            {
-                const index a = ends[2*l], b = ends[2*l + 1];
-                row<8> ofA{}, ofB{};
-                #pragma GCC unroll 3
-                for (int j = 0; j < D; ++j)
-                {
-                    const row<8> by =
-                        halves(r[j*nLanes + l], byV[j*nLanes + l]);
-                    ofA += by*rowAt<8>(grad + (a*D + j)*sA);
-                    ofB += by*rowAt<8>(grad + (b*D + j)*sA);
-                }
-                const row<8> sum = ofA + ofB;
-                force[l] =
-                    k[l]*threeOf(lower(differences[l]) - 0.5*lower(sum));
-                if constexpr (corrects)
-                {
-                    sums[l] =
-                        joined(half*(lower(ofA) - lower(ofB)), -0.5*force[l]);
-                }
-                return spliced
-                (
-                    threeAt(rush + b*D) - threeAt(rush + a*D), sum
-                );
-            });
-            for (int i = 0; i < D; ++i)
-            {
-                acceleration[i] = of[i];
-                change[i] = 0.5*of[second + i];
-            }
-            const edgeMotion<D, lanes> m(dx, dv, change);
-            store(motion, m);
-            alignas(registerBytes) row<4> squares[nLanes];
-            fourRowsOf(squares, {m.jj, m.mm, squaresOf(m), lanes{}});
-
-            for (int l = 0; l < block.size(); ++l)
-            {
-                const index a = ends[2*l], b = ends[2*l + 1];
-                scalar* Cb = correction + b*sT;
-                if (a != first.node)
-                {
-                    keep();
-                    come(a);
-                }
-                #pragma GCC unroll 3
-                for (int j = 0; j < D; ++j)
-                {
-                    const scalar rj = r[j*nLanes + l];
-                    if constexpr (corrects)
-                    {
-                        constexpr row<8> sign = {-1, -1, -1, -1, 1, 1, 1, 1};
-                        const row<8> by = halves(C[j*nLanes + l], rj);
-                        first.columns[j] += by*sums[l];
-                        rowAt<8>(Cb + j*sA) += by*(sign*sums[l]);
-                    }
-                    else
-                    {
-                        const row<4> f = force[l]*(-0.5*rj);
-                        first.columns[j] += f;
-                        rowAt<4>(Cb + j*sA) += f;
-                    }
-                }
-                constexpr row<8> sign = {-1, -1, -1, -1, 1, 1, 1, 1};
-                const row<8> other = joined(-0.5*force[l], squares[l]);
-                first.other += other;
-                rowAt<8>(sensor + b*sS) += sign*other;
-            }
-        }
-        else if constexpr (D == 2)
-        {
-            lanes of[8], sum[8], difference[8];
-            lanesOf(of, [&](const int l)
-            {
-                const index a = ends[2*l], b = ends[2*l + 1];
-                return rowAt<8>(U + b*sU) - rowAt<8>(U + a*sU);
-            });
-            setEdge(of);
-            inOrder();
-            lanesOf(sum, [&](const int l)
-            {
-                const index a = ends[2*l], b = ends[2*l + 1];
-                return rowAt<8>(grad + a*D*sA) + rowAt<8>(grad + b*D*sA);
-            });
-            if constexpr (corrects)
-            {
-                inOrder();
-                lanesOf(difference, [&](const int l)
-                {
-                    const index a = ends[2*l], b = ends[2*l + 1];
-                    return rowAt<8>(grad + a*D*sA) - rowAt<8>(grad + b*D*sA);
-                });
-            }
-
-            // What is added to columns, and to forces and squares
-            lanes out[8] = {}, force[D];
-            for (int i = 0; i < D; ++i)
-            {
-                acceleration[i] = of[atU + 2*D + i];
-                change[i] = 0.5*(sum[D + i]*dx[0] + sum[sA + D + i]*dx[1]);
-                force[i] =
-                    stiffness
-                   *(
-                        of[atU + i]
-                      - 0.5*(sum[i]*laneAt(r, 0) + sum[sA + i]*laneAt(r, 1))
-                    );
-                out[D + i] = -0.5*force[i];
-                if constexpr (corrects)
-                {
-                    out[i] =
-                        half
-                       *(
-                            difference[i]*laneAt(r, 0)
-                          + difference[sA + i]*laneAt(r, 1)
-                        );
-                }
-            }
-            const edgeMotion<D, lanes> m(dx, dv, change);
-            store(motion, m);
-            out[4] = m.jj;
-            out[5] = m.mm;
-            out[6] = squaresOf(m);
-            out[7] = m.mm;
-            alignas(registerBytes) row<8> rows[nLanes];
-            rowsOf(rows, out);
-            alignas(registerBytes) row<8> columns[nLanes];
-            if constexpr (corrects)
-            {
-                lanes toA[8];
-                for (int j = 0; j < D; ++j)
-                {
-                    for (int i = 0; i < D; ++i)
-                    {
-                        toA[j*sA + i] = out[i]*laneAt(C, j);
-                        toA[j*sA + second + i] = out[D + i]*laneAt(r, j);
-                    }
-                }
-                rowsOf(columns, toA);
-            }
-
-            for (int l = 0; l < block.size(); ++l)
-            {
-                const index a = ends[2*l], b = ends[2*l + 1];
-                if (a != first.node)
-                {
-                    keep();
-                    come(a);
-                }
-                const row<8>& f = rows[l];
-                constexpr row<8> sign = {-1, -1, 1, 1, -1, -1, 1, 1};
-                constexpr row<8> forceSign = {1, 1, -1, -1, 1, 1, 1, 1};
-                if constexpr (corrects)
-                {
-                    const row<8>& column = columns[l];
-                    first.columns[0] += column;
-                    rowAt<8>(correction + b*sT) += sign*column;
-                }
-                else
-                {
-                    const row<8> column =
-                        picked<2, 3, 8, 8, 2, 3, 8, 8>(f)
-                       *halves(r[l], r[nLanes + l]);
-                    first.columns[0] += column;
-                    rowAt<8>(correction + b*sT) += column;
-                }
-                first.other += f;
-                rowAt<8>(sensor + b*sS) += forceSign*f;
-            }
-        }
-        else
-        {
-            // Differences of displacement and velocity; that of the first
-            // derivatives, the sum of the second
-            constexpr row<4> sign = {-1, 1, 0, 0};
-            lanes of[8];
-            lanesOf(of, [&](const int l)
-            {
-                const index a = ends[2*l], b = ends[2*l + 1];
-                return joined
-                (
-                    rowAt<4>(U + b*sU) - rowAt<4>(U + a*sU),
-                    rowAt<4>(grad + a*sA) + sign*rowAt<4>(grad + b*sA)
-                );
-            });
-            setEdge(of);
-            change[0] = 0.5*of[5]*dx[0];
-            const edgeMotion<D, lanes> m(dx, dv, change);
-            store(motion, m);
-            squaresOf(m);
-            const lanes more =
-                corrects ? half*of[4]*laneAt(r, 0)*laneAt(C, 0) : lanes{};
-            alignas(registerBytes) row<4> rows[nLanes];
-            fourRowsOf(rows, {m.jj, m.mm, more, lanes{}});
-            for (int l = 0; l < block.size(); ++l)
-            {
-                const index a = ends[2*l], b = ends[2*l + 1];
-                const scalar* f = reinterpret_cast<const scalar*>(&rows[l]);
-                rowAt<2>(sensor + a*sS) += rowAt<2>(f);
-                rowAt<2>(sensor + b*sS) += rowAt<2>(f);
-                if constexpr (corrects)
-                {
-                    correction[a*sT] += f[2];
-                    correction[b*sT] -= f[2];
-                }
-            }
-        }
+        if constexpr (D == 1) sums.block1(ends, n, C, r, motion);
+        else if constexpr (D == 2) sums.block2(ends, n, C, r, motion);
+        else sums.block3(ends, n, C, r, motion);
     }
-    keep();
+    sums.keep();
     completeBefore(block.leave(pass, begin));
     for (label late = firstLate; D > 1 && late < pass.late; ++late)
     {
         // Before the sums over processors: those of the rates follow
         takeForce(d, x, x.lateNodes[late]);
     }
-
-    for (int l = 0; l < nLanes; ++l)
-    {
-        x.closing = max(x.closing, closing[l]);
-        x.fastest = max(x.fastest, max(closing[l], opening[l]));
-    }
+    sums.rates(x.closing, x.fastest);
     return nBad;
 }
 

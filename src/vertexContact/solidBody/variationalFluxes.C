@@ -44,6 +44,404 @@ inline row<4> variationalKernelTemplate<D, finite>::waveArea3
 }
 
 
+//- The fluxes of a block of edges: what it reads and adds to
+template<int D, bool finite>
+template<bool corrects>
+class variationalKernelTemplate<D, finite>::fluxer
+{
+    // In 2D and 3D: sums of the first node, in registers as long as it is the
+    // same
+    static constexpr int nX = D == 3 ? 3 : 1;
+    static constexpr int wR = D == 3 ? 4 : 2;
+
+    // Private data
+
+        const scalar* P_;
+        const scalar* grad_;
+        const scalar* factors_;
+        const bool stretched_;
+        scalar* sensor_;
+        scalar* U_;
+        scalar* rates_;
+        scalar* adjoint_;
+        const index sW_;
+        const scalar halfBeta_;
+        const scalar epsilon_;
+        const scalar moreEpsilon_;
+        const scalar halfZp_;
+        const scalar halfZs_;
+        const scalar cp_;
+
+        index node_ = -1;
+        alignas(registerBytes) row<8> X_[nX] = {};
+        row<wR> rate_{};
+
+
+    // Private Member Functions
+
+        //- Sums of S, M and N of both nodes and the smaller M; the least of
+        //  all, which are M and minus the larger factor of waves
+        struct squares
+        {
+            row<4> sums, least;
+        };
+
+        __attribute__((always_inline))
+        inline squares squaresOf(const index a, const index b) const
+        {
+            const row<4> sa = rowAt<4>(sensor_ + a*sS + atSquares);
+            const row<4> sb = rowAt<4>(sensor_ + b*sS + atSquares);
+            const row<4> sum = sa + sb, least = sa < sb ? sa : sb;
+            return squares{{sum[0], sum[1], sum[2], least[1]}, least};
+        }
+
+        //- Dissipation of edges.
+        //  \param dx  as they are
+        //  \param c  areas as they are. \param CC  squares as they were
+        //  \param S  squares of both nodes, and the smaller M (jumpSensor)
+        //  \param factor  of waves
+        __attribute__((always_inline))
+        inline edgeDissipation<D, lanes> dissipation
+        (
+            const scalar* motion,
+            const lanes* dx,
+            const lanes (&c)[D],
+            const lanes& CC,
+            const lanes* S,
+            const lanes& factor
+        ) const
+        {
+            const edgeMotion<D, lanes> m = motionAt<D>(motion, dx);
+            const lanes leftOut = jumpSensor::leftOut<D, lanes>
+            (
+                S[0], S[1], S[2], S[3], cp_
+            );
+            return edgeDissipation<D, lanes>
+            (
+                m, c, CC, factor, leftOut, epsilon_ + moreEpsilon_*leftOut,
+                halfZp_, halfZs_
+            );
+        }
+
+        //- The first node of an edge
+        __attribute__((always_inline))
+        inline void comeTo(const index a)
+        {
+            if (a == node_) return;
+            keep();
+            node_ = a;
+            #pragma GCC unroll 3
+            for (int j = 0; j < nX; ++j)
+            {
+                X_[j] = rowAt<8>(adjoint_ + a*D*sA + j*8);
+            }
+            rate_ = rowAt<wR>(rates_ + a*sR + second);
+        }
+
+        __attribute__((always_inline))
+        static inline lanes squareOf(const scalar* C, lanes (&c)[D])
+        {
+            lanes CC{};
+            for (int j = 0; j < D; ++j)
+            {
+                c[j] = laneAt(C, j);
+                CC += c[j]*c[j];
+            }
+            return CC;
+        }
+
+
+public:
+
+    fluxer(vertexData& d, variationalData& x)
+    :
+        P_(d.W.cdata() + d.offsetP()),
+        grad_(x.grad.cdata()),
+        factors_(d.waveFactor.cdata()),
+        stretched_(d.waveFactor.size()),
+        sensor_(x.sensor.data()),
+        U_(x.U.data()),
+        rates_(d.rates.data()),
+        adjoint_(x.adjoint.data()),
+        sW_(D == 2 ? sW2 : d.strideW),
+        halfBeta_(0.5*x.beta),
+        epsilon_(x.epsilon),
+        moreEpsilon_(x.frontEpsilon - x.epsilon),
+        halfZp_(0.5*d.rho*d.cp),
+        halfZs_(0.5*d.rho*d.cs),
+        cp_(d.cp)
+    {}
+
+
+    //- Minus the factor of waves of a node, in the record that edges read
+    __attribute__((always_inline))
+    inline void begin(const index a) const
+    {
+        (D == 2 ? U_[a*sU] : sensor_[a*sS + atSquares + 3]) =
+            stretched_ ? -factors_[a] : -1;
+    }
+
+    //- A node that edges come to
+    __attribute__((always_inline))
+    inline void ahead(const index a) const
+    {
+        prefetch<nP>(P_ + a*sW_);
+        if constexpr (finite || D == 2) prefetch<sU>(U_ + a*sU);
+        if constexpr (finite && D == 3) prefetch<sA*D>(grad_ + a*D*sA);
+        prefetch<4>(sensor_ + a*sS + atSquares);
+        prefetch<sR>(rates_ + a*sR);
+        prefetch<sA*D>(adjoint_ + a*D*sA);
+        begin(a);
+    }
+
+    //- The node whose sums are in registers
+    index node() const { return node_; }
+
+    //- Write them
+    __attribute__((always_inline))
+    inline void keep() const
+    {
+        if (D == 1 || node_ < 0) return;
+        #pragma GCC unroll 3
+        for (int j = 0; j < nX; ++j)
+        {
+            rowAt<8>(adjoint_ + node_*D*sA + j*8) = X_[j];
+        }
+        rowAt<wR>(rates_ + node_*sR + second) = rate_;
+    }
+
+
+    //- A block of edges: in one dimension
+    //  \param ends  both nodes of each edge
+    //  \param n  edges
+    //  \param C, r  area and reach, in lanes
+    //  \param motion  of the corrections
+    __attribute__((always_inline))
+    inline void block1
+    (
+        const label* ends,
+        const int n,
+        const scalar* C,
+        const scalar* r,
+        const scalar* motion
+    )
+    {
+        lanes dx[D] = {laneAt(r, 0)}, c[D], of[8];
+        if constexpr (finite)
+        {
+            dx[0] += lanesByOne([&](const int l)
+            {
+                return
+                    U_[index(ends[2*l + 1])*sU] - U_[index(ends[2*l])*sU];
+            });
+        }
+        const lanes CC = squareOf(C, c);
+
+        // With them differences of the stresses, times the area, as they act
+        // on displacements: beta/2 (P_a - P_b) C
+        lanesOf(of, [&](const int l)
+        {
+            const index a = ends[2*l], b = ends[2*l + 1];
+            const squares both = squaresOf(a, b);
+            row<4> other = both.least;
+            if constexpr (corrects) other[0] = P_[a*sW_] - P_[b*sW_];
+            return joined(both.sums, other);
+        });
+        const lanes toFirst =
+            corrects
+          ? halfBeta_*of[4]*laneAt(C, 0)*laneAt(r, 0)
+          : lanes{};
+        const edgeDissipation<D, lanes> f
+        (
+            dissipation(motion, dx, c, CC, of, -of[7])
+        );
+        const lanes toSecond = f.z[0]*dx[0];
+        alignas(registerBytes) row<4> rows[nLanes];
+        fourRowsOf(rows, {toFirst, toSecond, f.s[0], lanes{}});
+        for (int l = 0; l < n; ++l)
+        {
+            const index a = ends[2*l], b = ends[2*l + 1];
+            const scalar* f = reinterpret_cast<const scalar*>(&rows[l]);
+            constexpr row<2> sign = {-1, 1};
+            rowAt<2>(adjoint_ + a*sA) += rowAt<2>(f);
+            rowAt<2>(adjoint_ + b*sA) += sign*rowAt<2>(f);
+            rates_[a*sR + 1] += f[2];
+            rates_[b*sR + 1] -= f[2];
+        }
+    }
+
+
+    //- The same in two: all in lanes
+    __attribute__((always_inline))
+    inline void block2
+    (
+        const label* ends,
+        const int n,
+        const scalar* C,
+        const scalar* r,
+        const scalar* motion
+    )
+    {
+        lanes dx[D], c[D], of[8], S[4];
+        const lanes CC = squareOf(C, c);
+        lanesOf(of, [&](const int l)
+        {
+            const row<8> ofA = rowAt<8>(sensor_ + index(ends[2*l])*sS);
+            const row<8> ofB = rowAt<8>(sensor_ + index(ends[2*l + 1])*sS);
+            return leastAt<0x80, 8>(ofA + ofB, ofA, ofB);
+        });
+        for (int k = 0; k < 4; ++k) S[k] = of[4 + k];
+        if constexpr (finite)
+        {
+            planeArea(of, laneAt(C, 0), laneAt(C, 1), c);
+            for (int i = 0; i < D; ++i) c[i] *= 0.5;
+        }
+        inOrder();
+        lanesOf(of, [&](const int l)
+        {
+            const index a = ends[2*l], b = ends[2*l + 1];
+            const row<4> Ua = rowAt<4>(U_ + a*sU), Ub = rowAt<4>(U_ + b*sU);
+            row<4> difference{};
+            if constexpr (corrects)
+            {
+                difference = rowAt<4>(P_ + a*sW_) - rowAt<4>(P_ + b*sW_);
+            }
+            return joined(leastAt<1, 4>(Ub - Ua, Ua, Ub), difference);
+        });
+        const lanes factor = -of[0];
+        lanes more[D];
+        for (int i = 0; i < D; ++i)
+        {
+            dx[i] = finite ? laneAt(r, i) + of[atU + i] : laneAt(r, i);
+            if constexpr (corrects)
+            {
+                more[i] =
+                    halfBeta_
+                   *(of[4 + i]*laneAt(C, 0) + of[4 + D + i]*laneAt(C, 1));
+            }
+        }
+        const edgeDissipation<D, lanes> f
+        (
+            dissipation(motion, dx, c, CC, S, factor)
+        );
+
+        lanes toA[8];
+        for (int j = 0; j < D; ++j)
+        {
+            for (int i = 0; i < D; ++i)
+            {
+                toA[j*sA + i] = corrects ? more[i]*laneAt(r, j) : lanes{};
+                toA[j*sA + second + i] = f.z[i]*dx[j];
+            }
+        }
+        alignas(registerBytes) row<8> rows[nLanes];
+        alignas(registerBytes) row<2> force[nLanes];
+        rowsOf(rows, toA);
+        twoRowsOf(force, f.s[0], f.s[1]);
+        for (int l = 0; l < n; ++l)
+        {
+            const index b = ends[2*l + 1];
+            comeTo(ends[2*l]);
+            constexpr row<8> sign = {-1, -1, 1, 1, -1, -1, 1, 1};
+            X_[0] += rows[l];
+            rowAt<8>(adjoint_ + b*D*sA) += sign*rows[l];
+            rate_ += force[l];
+            rowAt<2>(rates_ + b*sR + second) -= force[l];
+        }
+    }
+
+
+    //- The same in three: the stresses edge by edge
+    __attribute__((always_inline))
+    inline void block3
+    (
+        const label* ends,
+        const int n,
+        const scalar* C,
+        const scalar* r,
+        const scalar* motion
+    )
+    {
+        lanes changed[D], c[D], of[8];
+        if constexpr (finite)
+        {
+            lanes by[4];
+            fourLanesOf(by, [&](const int l)
+            {
+                return
+                    rowAt<4>(U_ + index(ends[2*l + 1])*sU)
+                  - rowAt<4>(U_ + index(ends[2*l])*sU);
+            });
+            for (int i = 0; i < D; ++i) changed[i] = laneAt(r, i) + by[i];
+        }
+        const scalar* dx =
+            finite ? reinterpret_cast<const scalar*>(changed) : r;
+        const lanes CC = squareOf(C, c);
+        alignas(registerBytes) row<4> corrections[nLanes];
+        lanesOf(of, [&](const int l)
+        {
+            const index a = ends[2*l], b = ends[2*l + 1];
+            const squares both = squaresOf(a, b);
+            if constexpr (corrects)
+            {
+                row<4> difference{};
+                for (int j = 0; j < D; ++j)
+                {
+                    difference +=
+                        C[j*nLanes + l]
+                       *(
+                            rowAt<4>(P_ + a*sW_ + j*D)
+                          - rowAt<4>(P_ + b*sW_ + j*D)
+                        );
+                }
+                corrections[l] = halfBeta_*difference;
+            }
+            row<4> deformed{};
+            if constexpr (finite) deformed = waveArea3(grad_, C + l, a, b);
+            deformed = row<4>
+            {
+                deformed[0], deformed[1], deformed[2], both.least[3]
+            };
+            return joined(both.sums, deformed);
+        });
+        for (int i = 0; finite && i < D; ++i) c[i] = of[4 + i];
+        const edgeDissipation<D, lanes> f
+        (
+            dissipation
+            (
+                motion, reinterpret_cast<const lanes*>(dx), c, CC, of, -of[7]
+            )
+        );
+
+        lanes out[8] =
+            {f.s[0], f.s[1], f.s[2], lanes{}, f.z[0], f.z[1], f.z[2]};
+        alignas(registerBytes) row<8> rows[nLanes];
+        rowsOf(rows, out);
+        for (int l = 0; l < n; ++l)
+        {
+            const index b = ends[2*l + 1];
+            scalar* Xb = adjoint_ + b*D*sA;
+            comeTo(ends[2*l]);
+            constexpr row<8> sign = {-1, -1, -1, -1, 1, 1, 1, 1};
+            const row<4> s = lower(rows[l]);
+            const row<8> sums = spliced
+            (
+                corrects ? corrections[l] : row<4>{}, rows[l]
+            );
+            #pragma GCC unroll 3
+            for (int j = 0; j < D; ++j)
+            {
+                const row<8> by = halves(r[j*nLanes + l], dx[j*nLanes + l]);
+                X_[j] += by*sums;
+                rowAt<8>(Xb + j*sA) += by*(sign*sums);
+            }
+            rate_ += s;
+            rowAt<4>(rates_ + b*sR + second) -= s;
+        }
+    }
+};
+
+
 template<int D, bool finite>
 template<bool corrects>
 void variationalKernelTemplate<D, finite>::fluxLoop
@@ -53,334 +451,35 @@ void variationalKernelTemplate<D, finite>::fluxLoop
     edgePass& pass
 )
 {
-    const scalar* P = d.W.cdata() + d.offsetP();
-    const scalar* grad = x.grad.cdata();
-    scalar* sensor = x.sensor.data();
-    scalar* U = x.U.data();
-    scalar* rates = d.rates.data();
-    scalar* adjoint = x.adjoint.data();
-    const index sW = D == 2 ? sW2 : d.strideW;
-    const scalar halfBeta = 0.5*x.beta;
-    const scalar halfZp = 0.5*d.rho*d.cp;
-    const scalar halfZs = 0.5*d.rho*d.cs;
-    const index places = x.motionPlaces;
-    constexpr bool moves = finite && D > 1;
-
-    // Sums of S, M and N of both nodes and the smaller M; the least of all,
-    // which are M and minus the larger factor of waves
-    struct squares
-    {
-        row<4> sums, least;
-    };
-    const auto squaresOf = [&](const index a, const index b)
-    {
-        const row<4> sa = rowAt<4>(sensor + a*sS + atSquares);
-        const row<4> sb = rowAt<4>(sensor + b*sS + atSquares);
-        const row<4> sum = sa + sb, least = sa < sb ? sa : sb;
-        return squares{{sum[0], sum[1], sum[2], least[1]}, least};
-    };
-
-    // In 2D and 3D: sums of the first node, in registers as long as it is the
-    // same
-    constexpr int nX = D == 3 ? 3 : 1;
-    constexpr int wR = D == 3 ? 4 : 2;
-    struct
-    {
-        index node = -1;
-        alignas(registerBytes) row<8> X[nX] = {};
-        row<wR> rates{};
-    } first;
-    const auto keep = [&]()
-    {
-        if constexpr (D > 1)
-        {
-            if (first.node < 0) return;
-            #pragma GCC unroll 3
-            for (int j = 0; j < nX; ++j)
-            {
-                rowAt<8>(adjoint + first.node*D*sA + j*8) = first.X[j];
-            }
-            rowAt<wR>(rates + first.node*sR + second) = first.rates;
-        }
-    };
-
+    fluxer<corrects> sums(d, x);
     completeNodes complete(x.lateNodes, pass);
     const auto completeBefore = [&](const label end) __attribute__((noinline))
     {
         complete.before(end, [&](const index a) { stressNode(x, d, a); });
     };
 
+    const index places = x.motionPlaces;
     edgeBlocks block(d.dual, x.toMeet, pass);
-    const scalar* factors = d.waveFactor.cdata();
-    const bool stretched = d.waveFactor.size();
-    const auto begin = [&](const index a)
-    {
-        (D == 2 ? U[a*sU] : sensor[a*sS + atSquares + 3]) =
-            stretched ? -factors[a] : -1;
-    };
     for (; block.valid(); ++block)
     {
         if constexpr (D == 1) completeBefore(block.nodes()[0]);
-        else if (block.completes()) completeBefore(first.node);
-        block.ahead([&](const index a)
-        {
-            prefetch<nP>(P + a*sW);
-            if constexpr (finite || D == 2) prefetch<sU>(U + a*sU);
-            if constexpr (moves && D == 3) prefetch<sA*D>(grad + a*D*sA);
-            prefetch<4>(sensor + a*sS + atSquares);
-            prefetch<sR>(rates + a*sR);
-            prefetch<sA*D>(adjoint + a*D*sA);
-            begin(a);
-        });
+        else if (block.completes()) completeBefore(sums.node());
+        block.ahead([&](const index a) { sums.ahead(a); });
         const label* ends = block.nodes();
+        const int n = block.size();
         const index e = block.first();
         const scalar* C = x.area.cdata() + e*D;
         const scalar* r = x.reach.cdata() + e*D;
-
-        // The edges as they are, in 2D from below
-        lanes changed[D];
-        const scalar* dx =
-            finite ? reinterpret_cast<const scalar*>(changed) : r;
-        if constexpr (finite && D == 1)
-        {
-            const lanes by = lanesByOne([&](const int l)
-            {
-                return
-                    U[index(ends[2*l + 1])*sU] - U[index(ends[2*l])*sU];
-            });
-            changed[0] = laneAt(r, 0) + by;
-        }
-        else if constexpr (finite && D == 3)
-        {
-            lanes by[4];
-            fourLanesOf(by, [&](const int l)
-            {
-                return
-                    rowAt<4>(U + index(ends[2*l + 1])*sU)
-                  - rowAt<4>(U + index(ends[2*l])*sU);
-            });
-            for (int i = 0; i < D; ++i) changed[i] = laneAt(r, i) + by[i];
-        }
-
-        lanes c[D], CC{}, S, M, N, smallerM, factor;
-        for (int j = 0; j < D; ++j)
-        {
-            c[j] = laneAt(C, j);
-            CC += c[j]*c[j];
-        }
-
-        // Differences of the stresses, times the area, as they act on
-        // displacements: beta/2 (P_a - P_b) C
-        alignas(registerBytes) row<4> corrections[nLanes];
-        lanes more[D];
-        if constexpr (D == 3)
-        {
-            lanes of[8];
-            lanesOf(of, [&](const int l)
-            {
-                const index a = ends[2*l], b = ends[2*l + 1];
-                const squares both = squaresOf(a, b);
-                if constexpr (corrects)
-                {
-                    row<4> difference{};
-                    for (int j = 0; j < D; ++j)
-                    {
-                        difference +=
-                            C[j*nLanes + l]
-                           *(
-                                rowAt<4>(P + a*sW + j*D)
-                              - rowAt<4>(P + b*sW + j*D)
-                            );
-                    }
-                    corrections[l] = halfBeta*difference;
-                }
-                row<4> deformed{};
-                if constexpr (finite) deformed = waveArea3(grad, C + l, a, b);
-                deformed = row<4>
-                {
-                    deformed[0], deformed[1], deformed[2], both.least[3]
-                };
-                return joined(both.sums, deformed);
-            });
-            for (int i = 0; finite && i < D; ++i) c[i] = of[4 + i];
-            S = of[0];
-            M = of[1];
-            N = of[2];
-            smallerM = of[3];
-            factor = -of[7];
-        }
-        else if constexpr (D == 2)
-        {
-            lanes of[8];
-            lanesOf(of, [&](const int l)
-            {
-                const row<8> ofA = rowAt<8>(sensor + index(ends[2*l])*sS);
-                const row<8> ofB = rowAt<8>(sensor + index(ends[2*l + 1])*sS);
-                return leastAt<0x80, 8>(ofA + ofB, ofA, ofB);
-            });
-            S = of[4];
-            M = of[5];
-            N = of[6];
-            smallerM = of[7];
-            if constexpr (finite)
-            {
-                planeArea(of, laneAt(C, 0), laneAt(C, 1), c);
-                for (int i = 0; i < D; ++i) c[i] *= 0.5;
-            }
-            inOrder();
-            lanesOf(of, [&](const int l)
-            {
-                const index a = ends[2*l], b = ends[2*l + 1];
-                const row<4> Ua = rowAt<4>(U + a*sU), Ub = rowAt<4>(U + b*sU);
-                row<4> difference{};
-                if constexpr (corrects)
-                {
-                    difference = rowAt<4>(P + a*sW) - rowAt<4>(P + b*sW);
-                }
-                return joined(leastAt<1, 4>(Ub - Ua, Ua, Ub), difference);
-            });
-            factor = -of[0];
-            for (int i = 0; finite && i < D; ++i)
-            {
-                changed[i] = laneAt(r, i) + of[atU + i];
-            }
-            for (int i = 0; corrects && i < D; ++i)
-            {
-                more[i] =
-                    halfBeta
-                   *(of[4 + i]*laneAt(C, 0) + of[4 + D + i]*laneAt(C, 1));
-            }
-        }
-        else
-        {
-            lanes of[8];
-            lanesOf(of, [&](const int l)
-            {
-                const index a = ends[2*l], b = ends[2*l + 1];
-                const squares both = squaresOf(a, b);
-                row<4> other = both.least;
-                if constexpr (corrects) other[0] = P[a*sW] - P[b*sW];
-                return joined(both.sums, other);
-            });
-            S = of[0];
-            M = of[1];
-            N = of[2];
-            smallerM = of[3];
-            factor = -of[7];
-            more[0] = halfBeta*of[4]*laneAt(C, 0);
-        }
-
-        const edgeMotion<D, lanes> m = motionAt<D>
-        (
-            x.motion.cdata() + (e & places)*nM,
-            reinterpret_cast<const lanes*>(dx)
-        );
-        const lanes leftOut = jumpSensor::leftOut<D, lanes>
-        (
-            S, M, N, smallerM, d.cp
-        );
-        const edgeDissipation<D, lanes> f
-        (
-            m, c, CC, factor, leftOut,
-            x.epsilon + (x.frontEpsilon - x.epsilon)*leftOut,
-            halfZp, halfZs
-        );
-
-        // To the nodes
-        if constexpr (D == 3)
-        {
-            lanes out[8] =
-                {f.s[0], f.s[1], f.s[2], lanes{}, f.z[0], f.z[1], f.z[2]};
-            alignas(registerBytes) row<8> rows[nLanes];
-            rowsOf(rows, out);
-            for (int l = 0; l < block.size(); ++l)
-            {
-                const index a = ends[2*l], b = ends[2*l + 1];
-                scalar* Xb = adjoint + b*D*sA;
-                if (a != first.node)
-                {
-                    keep();
-                    first.node = a;
-                    #pragma GCC unroll 3
-                    for (int j = 0; j < D; ++j)
-                    {
-                        first.X[j] = rowAt<8>(adjoint + a*D*sA + j*sA);
-                    }
-                    first.rates = rowAt<4>(rates + a*sR + second);
-                }
-                constexpr row<8> sign = {-1, -1, -1, -1, 1, 1, 1, 1};
-                const row<4> s = lower(rows[l]);
-                row<8> sums = spliced
-                (
-                    corrects ? corrections[l] : row<4>{}, rows[l]
-                );
-                #pragma GCC unroll 3
-                for (int j = 0; j < D; ++j)
-                {
-                    const row<8> by =
-                        halves(r[j*nLanes + l], dx[j*nLanes + l]);
-                    first.X[j] += by*sums;
-                    rowAt<8>(Xb + j*sA) += by*(sign*sums);
-                }
-                first.rates += s;
-                rowAt<4>(rates + b*sR + second) -= s;
-            }
-        }
-        else if constexpr (D == 2)
-        {
-            lanes toA[8];
-            for (int j = 0; j < D; ++j)
-            {
-                for (int i = 0; i < D; ++i)
-                {
-                    toA[j*sA + i] =
-                        corrects ? more[i]*laneAt(r, j) : lanes{};
-                    toA[j*sA + second + i] = f.z[i]*laneAt(dx, j);
-                }
-            }
-            alignas(registerBytes) row<8> rows[nLanes];
-            alignas(registerBytes) row<2> force[nLanes];
-            rowsOf(rows, toA);
-            twoRowsOf(force, f.s[0], f.s[1]);
-            for (int l = 0; l < block.size(); ++l)
-            {
-                const index a = ends[2*l], b = ends[2*l + 1];
-                scalar* Xb = adjoint + b*D*sA;
-                if (a != first.node)
-                {
-                    keep();
-                    first.node = a;
-                    first.X[0] = rowAt<8>(adjoint + a*D*sA);
-                    first.rates = rowAt<2>(rates + a*sR + second);
-                }
-                constexpr row<8> sign = {-1, -1, 1, 1, -1, -1, 1, 1};
-                first.X[0] += rows[l];
-                rowAt<8>(Xb) += sign*rows[l];
-                const row<2>& s = force[l];
-                first.rates += s;
-                rowAt<2>(rates + b*sR + second) -= s;
-            }
-        }
-        else
-        {
-            const lanes toFirst = corrects ? more[0]*laneAt(r, 0) : lanes{};
-            const lanes toSecond = f.z[0]*laneAt(dx, 0);
-            alignas(registerBytes) row<4> rows[nLanes];
-            fourRowsOf(rows, {toFirst, toSecond, f.s[0], lanes{}});
-            for (int l = 0; l < block.size(); ++l)
-            {
-                const index a = ends[2*l], b = ends[2*l + 1];
-                const scalar* f = reinterpret_cast<const scalar*>(&rows[l]);
-                constexpr row<2> sign = {-1, 1};
-                rowAt<2>(adjoint + a*sA) += rowAt<2>(f);
-                rowAt<2>(adjoint + b*sA) += sign*rowAt<2>(f);
-                rates[a*sR + 1] += f[2];
-                rates[b*sR + 1] -= f[2];
-            }
-        }
+        const scalar* motion = x.motion.cdata() + (e & places)*nM;
+        if constexpr (D == 1) sums.block1(ends, n, C, r, motion);
+        else if constexpr (D == 2) sums.block2(ends, n, C, r, motion);
+        else sums.block3(ends, n, C, r, motion);
     }
-    keep();
-    completeBefore(block.leave(pass, begin));
+    sums.keep();
+    completeBefore
+    (
+        block.leave(pass, [&](const index a) { sums.begin(a); })
+    );
 }
 
 

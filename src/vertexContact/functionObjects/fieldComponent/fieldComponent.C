@@ -75,13 +75,13 @@ Foam::List<Foam::fieldComponent> Foam::fieldComponent::read
     {
         const auto dot = given.find('.');
         const word name(given.substr(0, dot), false);
-        const solidBody::nodalField values(body.field(name));
+        const nodalField values(body.field(name));
         if (!values.nComponents)
         {
             FatalIOErrorInFunction(dict)
                 << "Keyword '" << keyword << "': region '" << body.name()
                 << "' has no field '" << name << "'. Its fields: "
-                << dictionaryCheck::listed(body.fieldNames()).c_str()
+                << dictionaryCheck::listed(bodyFields(body).names()).c_str()
                 << exit(FatalIOError);
         }
 
@@ -141,7 +141,7 @@ Foam::string Foam::fieldComponent::name() const
 
 Foam::scalar Foam::fieldComponent::value
 (
-    const solidBody::nodalField& field,
+    const nodalField& field,
     const label node
 ) const
 {
