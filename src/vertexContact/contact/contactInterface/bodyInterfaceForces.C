@@ -1,0 +1,514 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+-------------------------------------------------------------------------------
+Description
+    Contact of two surfaces in the default scheme: what the overlaps have of
+    both sides, the forces that they make, how they slide.
+
+\*---------------------------------------------------------------------------*/
+
+#include "bodyInterface.H"
+#include "solidBody.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::bodyInterface::findStates
+(
+    const contactSide& side,
+    const labelList& corners,
+    List<surfaceState>& states
+)
+{
+    const solidBody& body = *side.body;
+    const dualPatch& patch = body.dual().patches()[side.patchi];
+    const boolList& rim = body.surface(side.patchi).rimNode;
+    const label d = body.dual().nDim();
+    const scalar* X = body.dual().nodePosition().cdata();
+    const scalar* disp = body.state().disp.cdata();
+
+    states.setSize(corners.size());
+    forAll(corners, i)
+    {
+        const label k = corners[i], node = patch.cornerNode[k];
+        const vector area
+        (
+            body.currentArea(node, patch.cornerNormal.cdata() + k*d)
+        );
+        surfaceState& s = states[i];
+        s.x = body.expand(X + node*d) + body.expand(disp + node*d);
+        s.v = body.contact().velocityWithout(node);
+        s.stretch = mag(area);
+        s.n = area/s.stretch;
+        s.compliance = body.surfaceCompliance(side.patchi, k);
+        s.inner = rim.size() && rim[k] ? 0 : 1;
+    }
+}
+
+
+template<class Value, class Function>
+void Foam::bodyInterface::setCorners
+(
+    const contactSide& side,
+    const labelList& corners,
+    List<Value>& values,
+    const Function& set
+)
+{
+    const labelList& node = side.body->corners(side.patchi).geometry.cornerNode;
+    values.setSize(corners.size());
+    forAll(corners, i) set(node[corners[i]], values[i]);
+}
+
+
+void Foam::bodyInterface::findVelocities
+(
+    const contactSide& side,
+    const labelList& corners,
+    vectorField& velocities
+)
+{
+    const solidBody& body = *side.body;
+    setCorners(side, corners, velocities, [&](const label node, vector& v)
+    {
+        v = body.contact().velocityWith(node);
+    });
+}
+
+
+template<int nNodes>
+void Foam::bodyInterface::findNear()
+{
+    typedef overlapKernel<nNodes> kernelType;
+    const kernelType& kernel = std::get<kernelType>(kernels_);
+    std::vector<nearBlock<nNodes>>& all = nearBlocks<nNodes>();
+
+    const solidBody& body = *minus_.body;
+    const cornerStates& M = body.corners(minus_.patchi);
+    const cornerStates& P = plus_.body->corners(plus_.patchi);
+    const scalar deltaT = body.contact().step();
+    const bool bonded = law().bonded();
+    const bool sticks = law().sticks();
+    const scalar impedance = contactLayer::joint(M.zp, P.zp);
+    const scalar minusGives = body.contact().gives();
+    const scalar plusGives = plus_.body->contact().gives();
+    const bool alike = minusGives == plusGives;
+
+    // Tell both corners of an overlap the gap
+    const auto tellGap = [&]
+    (
+        const typename kernelType::block& b,
+        const int l,
+        const scalar gap
+    )
+    {
+        scalar& minus = toMinus_[b.minus.slot[0][l]].gap;
+        scalar& plus = toPlus_[b.plus.slot[0][l]].gap;
+        minus = min(minus, gap);
+        plus = min(plus, gap);
+    };
+
+    typename kernelType::levers lever;
+    typename kernelType::place at;
+    all.clear();
+    for (label i = 0; i < kernel.size(); ++i)
+    {
+        const typename kernelType::block& b = kernel[i];
+        kernel.find
+        (
+            b, minusStates_.cdata(), plusStates_.cdata(), deltaT, impedance,
+            bonded, lever, at
+        );
+        for (int l = 0; l < b.size; ++l)
+        {
+            if (at.near[l]) continue;
+            ++statistics_.nOpen;
+            tellGap(b, l, at.distance[l]);
+        }
+        if (!at.any()) continue;
+
+        all.emplace_back();
+        nearBlock<nNodes>& near = all.back();
+        near.block = i;
+        near.lever = lever;
+        for (int l = 0; l < b.size; ++l)
+        {
+            if (!at.near[l]) continue;
+            near.lane[near.size] = l;
+            near.whole[near.size] =
+                0.5*(b.minus.area[l] + b.plus.area[l])*at.stretch[l]
+               *at.whole[l];
+            contactLaw::problem& p = near.problems[near.size++];
+            vector normal, shift(Zero);
+            for (direction c = 0; c < 3; ++c)
+            {
+                p.n[c] = at.n[c][l];
+                p.minus.v[c] = at.minusV[c][l];
+                p.plus.v[c] = at.plusV[c][l];
+                normal[c] = at.centroidNormal[c][l];
+                if (bonded) shift[c] = at.shift[c][l];
+            }
+            const label slot = b.minus.slot[0][l];
+            if (sticks)
+            {
+                shift =
+                    acousticRiemann::tangential(minusSlide_[slot], normal);
+            }
+            p.gap = at.gap[l];
+            p.minus.zp = M.zp;
+            p.minus.zs = M.zs;
+            p.plus.zp = P.zp;
+            p.plus.zs = P.zs;
+            p.area = 0.5*(b.minus.area[l] + b.plus.area[l])*at.area[l];
+            const scalar gives =
+                alike
+              ? minusGives
+              : plusGives
+              + at.minusPerMass[l]/at.perMass[l]*(minusGives - plusGives);
+            contactLayer(at.perMass[l]).set
+            (
+                p, at.stretch[l], true, bonded, shift, deltaT, gives
+            );
+            countClosing(p, b.depth[l]);
+            tellGap(b, l, p.gap);
+            lose
+            (
+                closed_[slot], minus_, minusCorners_[slot], p.gap,
+                lostDepth*b.depth[l], b.depth[l]
+            );
+        }
+    }
+}
+
+
+template<int nNodes>
+void Foam::bodyInterface::correctNear()
+{
+    const auto& kernel = std::get<overlapKernel<nNodes>>(kernels_);
+    const bool bonded = law().bonded();
+    for (nearBlock<nNodes>& near : nearBlocks<nNodes>())
+    {
+        const auto& b = kernel[near.block];
+        const auto minus = near.velocity
+        (
+            near.lever.minus, b.minus,
+            [&](const label s) -> const vector& { return minusVelocities_[s]; }
+        );
+        const auto plus = near.velocity
+        (
+            near.lever.plus, b.plus,
+            [&](const label s) -> const vector& { return plusVelocities_[s]; }
+        );
+        for (label k = 0; k < near.size; ++k)
+        {
+            contactLaw::problem& p = near.problems[k];
+            for (direction c = 0; c < 3; ++c)
+            {
+                p.minus.v[c] = minus[c][near.lane[k]];
+                p.plus.v[c] = plus[c][near.lane[k]];
+            }
+            contactLayer::correct(p, bonded);
+        }
+    }
+}
+
+
+template<int nNodes>
+void Foam::bodyInterface::solveNear()
+{
+    typedef overlapKernel<nNodes> kernelType;
+    const kernelType& kernel = std::get<kernelType>(kernels_);
+    nodeAnswer* toMinus = toMinus_.data();
+    nodeAnswer* toPlus = toPlus_.data();
+
+    for (nearBlock<nNodes>& near : nearBlocks<nNodes>())
+    {
+        const typename kernelType::block& b = kernel[near.block];
+        UList<contactLaw::problem> problems(near.problems, near.size);
+        law_->solve(problems);
+
+        typename kernelType::vectorType force;
+        bool acts[nLanes];
+        for (int l = 0; l < nLanes; ++l)
+        {
+            acts[l] = false;
+            for (int c = 0; c < 3; ++c) force[c][l] = 0;
+        }
+        for (label k = 0; k < near.size; ++k)
+        {
+            const contactLaw::problem& p = near.problems[k];
+            const int l = near.lane[k];
+            count(p, b.width[l], b.depth[l], p.area, p.area);
+            if (p.result.state == acousticRiemann::status::open) continue;
+
+            acts[l] = true;
+            contactAnswer told(answer(p, p.area));
+            for (int c = 0; c < 3; ++c)
+            {
+                force[c][l] = near.whole[k]*p.result.t[c];
+            }
+            contactAnswer& minus = toMinus[b.minus.slot[0][l]];
+            contactAnswer& plus = toPlus[b.plus.slot[0][l]];
+            minus += told;
+            told.force = -told.force;
+            plus += told;
+        }
+        kernel.act(b, near.lever, force, acts, toMinus, toPlus);
+    }
+}
+
+
+void Foam::bodyInterface::startForces()
+{
+    statistics_ = statistics();
+    findStates(minus_, minusCorners_, minusStates_);
+    findStates(plus_, pairing_->plusCorners(), ownStates_);
+    if (law().sticks())
+    {
+        setCorners
+        (
+            minus_, minusCorners_, minusSlide_,
+            [&](const label node, vector& slide)
+            {
+                slide = minus_.body->slide(node);
+            }
+        );
+    }
+}
+
+
+void Foam::bodyInterface::exchangeForces
+(
+    const UList<bodyInterface*>& pairs,
+    contactExchange& exchange,
+    const bool firstStage
+)
+{
+    for (bodyInterface* pair : pairs)
+    {
+        pair->withNodes([&](auto N) { pair->solveNear<N.value>(); });
+    }
+    exchange.toCorners<nodeAnswer>
+    (
+        [&](const label i) -> auto& { return pairs[i]->toPlus_; },
+        [&](const label i) -> auto& { return pairs[i]->toOwn_; },
+        nodeAnswer()
+    );
+    for (bodyInterface* pair : pairs)
+    {
+        const bodyInterface& p = *pair;
+        tell(p.minus_, p.minusCorners_, p.toMinus_, firstStage);
+        tell(p.plus_, p.pairing_->plusCorners(), p.toOwn_, firstStage);
+    }
+}
+
+
+void Foam::bodyInterface::startAnswers()
+{
+    toMinus_.setSize(minusCorners_.size());
+    toPlus_.setSize(pairing_->nSlots());
+    toMinus_ = nodeAnswer();
+    toPlus_ = nodeAnswer();
+}
+
+
+void Foam::bodyInterface::solveForces
+(
+    const UList<bodyInterface*>& pairs,
+    contactExchange& exchange,
+    const bool firstStage
+)
+{
+    for (bodyInterface* pair : pairs) pair->startForces();
+    exchange.toSlots<surfaceState>
+    (
+        [&](const label i) -> auto& { return pairs[i]->ownStates_; },
+        [&](const label i) -> auto& { return pairs[i]->plusStates_; }
+    );
+    for (bodyInterface* pair : pairs)
+    {
+        pair->startAnswers();
+        pair->withNodes([&](auto N) { pair->findNear<N.value>(); });
+        pair->found_ = pair->statistics_;
+    }
+    exchangeForces(pairs, exchange, firstStage);
+}
+
+
+void Foam::bodyInterface::correctForces
+(
+    const UList<bodyInterface*>& pairs,
+    contactExchange& exchange,
+    const bool firstStage
+)
+{
+    for (bodyInterface* pair : pairs)
+    {
+        bodyInterface& p = *pair;
+        findVelocities(p.minus_, p.minusCorners_, p.minusVelocities_);
+        findVelocities
+        (
+            p.plus_, p.pairing_->plusCorners(), p.ownVelocities_
+        );
+    }
+    exchange.toSlots<vector>
+    (
+        [&](const label i) -> auto& { return pairs[i]->ownVelocities_; },
+        [&](const label i) -> auto& { return pairs[i]->plusVelocities_; }
+    );
+    for (bodyInterface* pair : pairs)
+    {
+        pair->startAnswers();
+        pair->withNodes([&](auto N) { pair->correctNear<N.value>(); });
+        pair->statistics_ = pair->found_;
+    }
+    exchangeForces(pairs, exchange, firstStage);
+}
+
+
+void Foam::bodyInterface::correct(const bool firstStage)
+{
+    if (!pairing_->active()) return;
+
+    bodyInterface* pair = this;
+    correctForces(UList<bodyInterface*>(&pair, 1), exchange_, firstStage);
+}
+
+
+void Foam::bodyInterface::tell
+(
+    const contactSide& side,
+    const labelList& corners,
+    const UList<nodeAnswer>& answers,
+    const bool newStatus
+)
+{
+    solidBody& body = *side.body;
+    const labelList& cornerNode = body.corners(side.patchi).geometry.cornerNode;
+    forAll(corners, i)
+    {
+        const label k = corners[i];
+        setState(side, k, answers[i], newStatus);
+        body.contact().add(cornerNode[k], answers[i].nodeForce);
+    }
+}
+
+
+void Foam::bodyInterface::findSteps
+(
+    const contactSide& side,
+    const labelList& corners,
+    List<stepVelocities>& steps
+)
+{
+    const solidBody& body = *side.body;
+    setCorners(side, corners, steps, [&](const label node, stepVelocities& v)
+    {
+        v.last = body.stepVelocity(node);
+        v.mean = body.meanStepVelocity(node);
+    });
+}
+
+
+template<int nNodes>
+void Foam::bodyInterface::slideOverlaps
+(
+    const scalar middle,
+    const scalar deltaT
+)
+{
+    const auto& kernel = std::get<overlapKernel<nNodes>>(kernels_);
+    solidBody& body = *minus_.body;
+    const labelList& minusNode =
+        body.corners(minus_.patchi).geometry.cornerNode;
+
+    for (const nearBlock<nNodes>& near : nearBlocks<nNodes>())
+    {
+        bool any = false;
+        for (label k = 0; k < near.size; ++k)
+        {
+            any =
+                any
+             || near.problems[k].result.state
+             != acousticRiemann::status::open;
+        }
+        if (!any) continue;
+
+        // Of the plus side relative to the minus side, in the step and in the
+        // mean with the one before
+        const auto& b = kernel[near.block];
+        const auto slip = [&](vector stepVelocities::* which)
+        {
+            const auto of = [&](const List<stepVelocities>& steps)
+            {
+                return [&steps, which](const label s) -> const vector&
+                {
+                    return steps[s].*which;
+                };
+            };
+            return
+                near.velocity(near.lever.plus, b.plus, of(plusSteps_))
+              - near.velocity(near.lever.minus, b.minus, of(minusSteps_));
+        };
+        const auto way = slip(&stepVelocities::last);
+        const auto mean = slip(&stepVelocities::mean);
+
+        for (label k = 0; k < near.size; ++k)
+        {
+            const contactLaw::problem& p = near.problems[k];
+            if (p.result.state == acousticRiemann::status::open) continue;
+
+            const int l = near.lane[k];
+            slideBy
+            (
+                body.contact(), minusNode[minusCorners_[b.minus.slot[0][l]]], p,
+                vector(way[0][l], way[1][l], way[2][l]),
+                vector(mean[0][l], mean[1][l], mean[2][l]), middle, deltaT
+            );
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::bodyInterface::slide(const scalar middle, const scalar deltaT)
+{
+    if (!law().sticks() || !pairing_->active()) return;
+
+    bodyInterface* pair = this;
+    slide(UList<bodyInterface*>(&pair, 1), exchange_, middle, deltaT);
+}
+
+
+void Foam::bodyInterface::slide
+(
+    const UList<bodyInterface*>& pairs,
+    contactExchange& exchange,
+    const scalar middle,
+    const scalar deltaT
+)
+{
+    for (bodyInterface* pair : pairs)
+    {
+        bodyInterface& p = *pair;
+        findSteps(p.minus_, p.minusCorners_, p.minusSteps_);
+        findSteps(p.plus_, p.pairing_->plusCorners(), p.ownSteps_);
+    }
+    exchange.toSlots<stepVelocities>
+    (
+        [&](const label i) -> auto& { return pairs[i]->ownSteps_; },
+        [&](const label i) -> auto& { return pairs[i]->plusSteps_; }
+    );
+    for (bodyInterface* pair : pairs)
+    {
+        pair->withNodes([&](auto N)
+        {
+            pair->slideOverlaps<N.value>(middle, deltaT);
+        });
+    }
+}
+
+
+// ************************************************************************* //
