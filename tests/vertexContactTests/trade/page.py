@@ -355,7 +355,9 @@ def writePage(rows, compared):
             "The cheapest of all runs, on any mesh, with at most that error:"
             "\n", decisions(tables, compared, "error", "error"),
             "Half of the error by a finer mesh alone costs so many times as "
-            "much:\n", halvings(tables),
+            "much. Where a front passes, no scheme is of more than first "
+            "order in this norm: 4 times in one dimension, 8 in two, 16 in "
+            "three.\n", halvings(tables),
             "For the peak of the contact force alone, which may be right by "
             "chance on a coarse mesh:\n",
             decisions(tables, compared, "peak", "error of the peak force"),
