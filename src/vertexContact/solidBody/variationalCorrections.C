@@ -66,7 +66,7 @@ inline edgeMotion<D, lanes> motionAt(const scalar* block, const lanes* dx)
 //- The corrections of a block of edges: what it reads and adds to
 template<int D, bool finite>
 template<bool corrects>
-class variationalKernelTemplate<D, finite>::corrector
+class variationalKernelTemplate<D, finite>::correctionSums
 {
     static constexpr int sT = D*sA;
 
@@ -161,7 +161,7 @@ class variationalKernelTemplate<D, finite>::corrector
 
 public:
 
-    corrector(vertexData& d, variationalData& x)
+    correctionSums(vertexData& d, variationalData& x)
     :
         U_(x.U.cdata()),
         grad_(x.grad.cdata()),
@@ -468,7 +468,7 @@ label variationalKernelTemplate<D, finite>::correctLoop
 )
 {
     if (pass.edge == 0) x.closing = x.fastest = 0;
-    corrector<corrects> sums(d, x);
+    correctionSums<corrects> sums(d, x);
 
     completeNodes complete(x.lateNodes, pass);
     const label firstLate = pass.late;

@@ -47,7 +47,7 @@ inline row<4> variationalKernelTemplate<D, finite>::waveArea3
 //- The fluxes of a block of edges: what it reads and adds to
 template<int D, bool finite>
 template<bool corrects>
-class variationalKernelTemplate<D, finite>::fluxer
+class variationalKernelTemplate<D, finite>::fluxSums
 {
     // In 2D and 3D: sums of the first node, in registers as long as it is the
     // same
@@ -153,7 +153,7 @@ class variationalKernelTemplate<D, finite>::fluxer
 
 public:
 
-    fluxer(vertexData& d, variationalData& x)
+    fluxSums(vertexData& d, variationalData& x)
     :
         P_(d.W.cdata() + d.offsetP()),
         grad_(x.grad.cdata()),
@@ -451,7 +451,7 @@ void variationalKernelTemplate<D, finite>::fluxLoop
     edgePass& pass
 )
 {
-    fluxer<corrects> sums(d, x);
+    fluxSums<corrects> sums(d, x);
     completeNodes complete(x.lateNodes, pass);
     const auto completeBefore = [&](const label end) __attribute__((noinline))
     {
