@@ -140,7 +140,7 @@ int main(int argc, char *argv[])
         {
             for (const contactSide& side : contact.sides())
             {
-                side.body->prepare(runTime.value(), true);
+                side.body->prepare(runTime.value());
                 side.body->findCorners(side.patchi);
             }
         }

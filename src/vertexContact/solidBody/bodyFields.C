@@ -61,14 +61,15 @@ void Foam::bodyFields::visitFields(const Use& use) const
         vector::zero, "lm", dimDensity*dimVelocity,
         [&](const label a) { return body_.expand(s.lm.cdata() + a*d); }
     );
-    if (body_.variational() && !body_.rigid() && d > 1)
+    const scalarField* acceleration = d > 1 ? body_.acceleration() : nullptr;
+    if (acceleration)
     {
         use
         (
             vector::zero, "acceleration", dimAcceleration,
             [&](const label a)
             {
-                return body_.expand(body_.acceleration().cdata() + a*d);
+                return body_.expand(acceleration->cdata() + a*d);
             }
         );
     }

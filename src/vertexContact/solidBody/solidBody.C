@@ -5,6 +5,10 @@
 \*---------------------------------------------------------------------------*/
 
 #include "solidBody.H"
+#include "variationalBody.H"
+#include "paperBody.H"
+#include "rigidRegion.H"
+#include "rigidMaterial.H"
 #include "fileError.H"
 #include "Time.H"
 #include "emptyPolyPatch.H"
@@ -16,51 +20,11 @@
 #include "dictionaryCheck.H"
 #include "patchRim.H"
 #include "pointPatchFields.H"
+#include "passTimes.H"
 #include "regionFiles.H"
-#include "rigidMaterial.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace
-{
-
-using namespace Foam;
-
-bool isVariational(const schemeOptions& options)
-{
-    return options.scheme == schemeType::variational;
-}
-
-} // End anonymous namespace
-
+#include "writtenTimes.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-Foam::scalar Foam::solidBody::PoissonsRatio(const materialModel& material)
-{
-    const scalar mu = material.mu(), kappa = material.kappa();
-    return (3*kappa - 2*mu)/(2*(3*kappa + mu));
-}
-
-
-Foam::kinematicSet Foam::solidBody::kinematicsOf
-(
-    const schemeOptions& options,
-    const materialModel& material
-)
-{
-    if (!isVariational(options)) return options.kinematics;
-
-    return
-        options.volume == volumeTreatment::smoothed
-     || (
-            options.volume == volumeTreatment::automatic
-         && PoissonsRatio(material) >= smoothedFrom
-        )
-      ? kinematicSet::FJ
-      : kinematicSet::F;
-}
-
 
 Foam::labelList Foam::solidBody::findMirrors
 (
@@ -85,30 +49,6 @@ Foam::labelList Foam::solidBody::findMirrors
         }
     }
     return labelList(mirrors);
-}
-
-
-const Foam::solidBoundaryCondition& Foam::solidBody::condition
-(
-    const label patchi
-) const
-{
-    const auto& pf = pointU_.boundaryField()[patchi];
-
-    const auto* bc = dynamic_cast<const solidBoundaryCondition*>(&pf);
-
-    if (!bc)
-    {
-        FatalFileErrorInFunction(pointUFile_)
-            << "Keyword 'boundaryField': patch '" << pf.patch().name()
-            << "' has the boundary condition '" << pf.type()
-            << "', which is not one of a solid." << nl
-            << "Valid conditions: "
-            << dictionaryCheck::listed(solidBoundaryCondition::names()).c_str()
-            << exit(FatalIOError);
-    }
-
-    return *bc;
 }
 
 
@@ -192,22 +132,34 @@ void Foam::solidBody::makeCorners()
 }
 
 
+Foam::FixedList<Foam::label, 3> Foam::solidBody::allDirections() const
+{
+    FixedList<label, 3> dir(dual_.directions());
+    label next = dual_.nDim();
+    for (label c = 0; c < 3; ++c)
+    {
+        bool used = false;
+        for (label i = 0; i < dual_.nDim(); ++i) used = used || dir[i] == c;
+        if (!used) dir[next++] = c;
+    }
+    return dir;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::solidBody::solidBody
 (
-    const Time& runTime,
-    const word& region,
-    const schemeOptions& defaults
+    autoPtr<polyMesh>& mesh,
+    const schemeOptions& options,
+    kinematicsRule kinematics
 )
 :
-    time_(runTime),
-    name_(region),
-    mesh_
-    (
-        IOobject(region, runTime.timeName(), runTime, IOobject::MUST_READ)
-    ),
-    options_(regionFiles::schemes(mesh_), defaults),
+    ownMesh_(mesh.ptr()),
+    time_(ownMesh_->time()),
+    name_(ownMesh_->name()),
+    mesh_(const_cast<polyMesh&>(*ownMesh_)),
+    options_(options),
     dual_(mesh_, options_.cells),
     material_(readMaterial()),
     pointUFile_(regionFiles::velocityFile(mesh_)),
@@ -215,7 +167,7 @@ Foam::solidBody::solidBody
     (
         IOobject
         (
-            "pointU", runTime.timeName(), mesh_,
+            "pointU", time_.timeName(), mesh_,
             IOobject::NO_READ, IOobject::NO_WRITE
         ),
         pointMesh::New(mesh_),
@@ -223,109 +175,116 @@ Foam::solidBody::solidBody
     ),
     data_
     (
-        dual_, isVariational(options_), kinematicsOf(options_, *material_),
-        material_->finiteStrain(),
-        isVariational(options_)
+        dual_, options_.scheme == schemeType::variational,
+        kinematics(options_, *material_), material_->finiteStrain(),
+        options_.scheme == schemeType::variational
       ? reconstructionType::none : options_.reconstruction,
         options_.limiter, options_.dissipation,
         material_->rho(), material_->cp(), material_->cs()
     ),
     mirrorPatches_(findMirrors(mesh_, pointU_)),
     symmetry_(dual_, mirrorPatches_),
-    stretchedWaves_
-    (
-        (options_.stretchedWaves || data_.variational)
-     && material_->stretchesWaves()
-    ),
     corners_(mesh_.boundaryMesh().size()),
     surfaces_(mesh_.boundaryMesh().size()),
-    boundaryArea_(dual_.nNodes(), Zero),
     gravity_(dual_.nDim(), Zero),
-    bodyForces_
-    (
-        bodyForce::readAll
-        (
-            regionFiles::bodyForces(mesh_), dual_, *material_
-        )
-    ),
-    acceleration_
-    (
-        bodyForces_.size() ? dual_.nNodes()*dual_.nDim() : label(0), Zero
-    ),
+    ownedVolume_(dual_.nodeVolume()),
     contact_(data_, symmetry_, held_)
 {
-    // Boundary areas, too, belong to the surface of a dual cell; those of
-    // mirrors lie inside the whole body
-    for (const dualPatch& patch : dual_.patches())
-    {
-        if (!mirrorPatches_.found(patch.patchIndex))
-        {
-            forAll(patch.cornerNode, k)
-            {
-                boundaryArea_[patch.cornerNode[k]] += patch.cornerArea[k];
-            }
-        }
-    }
-    dual_.sharing().sum(boundaryArea_.data(), 1);
-
-    if (symmetry_.active())
-    {
-        data_.mirrorArea = dual_.edgeArea();
-        symmetry_.projectEdges(dual_, data_.mirrorArea);
-    }
-
-    if (material_->plastic())
-    {
-        // The old state of a step needs none: it is committed at the end
-        data_.state.makePlastic();
-        if (data_.variational) data_.state.keepFlow();
-        const scalar T0 = material_->initialTemperature();
-        if (T0 > 0) data_.state.makeHeated(T0);
-    }
-    ownedVolume_ = dual_.nodeVolume();
     forAll(ownedVolume_, a)
     {
         if (!dual_.sharing().owned()[a]) ownedVolume_[a] = 0;
     }
-
-    if (stretchedWaves_)
-    {
-        data_.waveFactor.setSize(dual_.nNodes(), scalar(1));
-    }
-
     makeCorners();
     checkMotions();
-    if (isA<rigidMaterial>(*material_))
-    {
-        makeRigid();
-        variational_ = variationalKernel::New(data_);
-        findSurfaceNodes();
-    }
-    else if (data_.variational)
-    {
-        variational_ = variationalKernel::New(data_);
-        scheme_.reset
+}
+
+
+Foam::autoPtr<Foam::solidBody> Foam::solidBody::New
+(
+    const Time& runTime,
+    const word& region,
+    const schemeOptions& defaults
+)
+{
+    autoPtr<polyMesh> mesh
+    (
+        new polyMesh
         (
-            new variationalScheme
-            (
-                data_, *variational_, *material_, symmetry_, options_,
-                mirrorPatches_
-            )
-        );
-        // The scheme has them in blocks
-        dual_.forgetEdgeArea();
-        data_.mirrorArea.clear();
-        findSurfaceNodes();
-        externalForce_.setSize(dual_.nNodes()*dual_.nDim(), Zero);
-        work_.setSize(dual_.nNodes()*dual_.nDim(), Zero);
-        if (contact_.on()) findCompliances();
+            IOobject(region, runTime.timeName(), runTime, IOobject::MUST_READ)
+        )
+    );
+    const schemeOptions options(regionFiles::schemes(*mesh), defaults);
+    const bool variational = options.scheme == schemeType::variational;
+
+    autoPtr<solidBody> body;
+    if (rigidMaterial::describedBy(regionFiles::material(*mesh)))
+    {
+        body.reset(new rigidRegion(mesh, options));
+    }
+    else if (variational)
+    {
+        body.reset(new variationalBody(mesh, options));
     }
     else
     {
-        kernel_ = vertexKernel::New(data_);
+        body.reset(new paperBody(mesh, options));
     }
-    readState();
-    if (rigid_.valid()) fitRigid();
+    return body;
+}
+
+
+// * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
+
+const Foam::solidBoundaryCondition& Foam::solidBody::condition
+(
+    const label patchi
+) const
+{
+    const auto& pf = pointU_.boundaryField()[patchi];
+
+    const auto* bc = dynamic_cast<const solidBoundaryCondition*>(&pf);
+
+    if (!bc)
+    {
+        FatalFileErrorInFunction(pointUFile_)
+            << "Keyword 'boundaryField': patch '" << pf.patch().name()
+            << "' has the boundary condition '" << pf.type()
+            << "', which is not one of a solid." << nl
+            << "Valid conditions: "
+            << dictionaryCheck::listed(solidBoundaryCondition::names()).c_str()
+            << exit(FatalIOError);
+    }
+
+    return *bc;
+}
+
+
+void Foam::solidBody::solveConditions(const scalar time)
+{
+    passTimes::timed(passTimes::boundaries, [&]
+    {
+        forAll(corners_, patchi)
+        {
+            if
+            (
+                corners_.set(patchi)
+             && !(data_.variational && condition(patchi).contact())
+            )
+            {
+                findCorners(patchi);
+                condition(patchi).solve(time, corners_[patchi]);
+            }
+        }
+    });
+}
+
+
+void Foam::solidBody::reportBytes(Ostream& os) const
+{
+    const label nNodes = returnReduce(dual_.nNodes(), sumOp<label>());
+    const scalar allBytes = returnReduce(scalar(bytes()), sumOp<scalar>());
+    os  << nl << "    " << label(allBytes/max(nNodes, label(1)))
+        << " bytes per node" << nl;
 }
 
 
@@ -435,20 +394,6 @@ Foam::vector Foam::solidBody::currentArea
 }
 
 
-Foam::FixedList<Foam::label, 3> Foam::solidBody::allDirections() const
-{
-    FixedList<label, 3> dir(dual_.directions());
-    label next = dual_.nDim();
-    for (label c = 0; c < 3; ++c)
-    {
-        bool used = false;
-        for (label i = 0; i < dual_.nDim(); ++i) used = used || dir[i] == c;
-        if (!used) dir[next++] = c;
-    }
-    return dir;
-}
-
-
 Foam::tensor Foam::solidBody::inSpace(const tensor& local) const
 {
     const FixedList<label, 3> dir(allDirections());
@@ -466,15 +411,162 @@ Foam::tensor Foam::solidBody::inSpace(const tensor& local) const
 
 Foam::symmTensor Foam::solidBody::CauchyStress(const label node) const
 {
-    tensor local(material_->CauchyStress(data_.state, node));
-    if (scheme_.valid() && evaluated_)
-    {
-        // The pressure that acts
-        local += scheme_->addedSigmaJ(node)*tensor(tensor::I);
-    }
+    const tensor local
+    (
+        material_->CauchyStress(data_.state, node)
+      + addedSigmaJ(node)*tensor(tensor::I)
+    );
 
     // J sigma = P F^T is symmetric up to the drift of H and J
     return symm(inSpace(local));
+}
+
+
+void Foam::solidBody::findCorners(const label patchi)
+{
+    cornerStates& c = corners_[patchi];
+    const label d = dual_.nDim();
+    const FixedList<label, 3>& dir = dual_.directions();
+    forAll(c.geometry.cornerNode, k)
+    {
+        const label a = c.geometry.cornerNode[k];
+        const scalar* N = c.geometry.cornerNormal.cdata() + d*k;
+        const scalar* W = data_.W.cdata() + a*data_.strideW;
+        const scalar* P = W + data_.offsetP();
+
+        const vector area(currentArea(a, N));
+        c.stretch[k] = mag(area);
+        c.n[k] = area/c.stretch[k];
+        for (label i = 0; i < d; ++i)
+        {
+            scalar PN = 0;
+            for (label j = 0; j < d; ++j) PN += P[j*d + i]*N[j];
+            c.v[k][dir[i]] = W[i];
+            c.t[k][dir[i]] = PN;
+        }
+        if (data_.waveFactor.size()) c.waveFactor[k] = data_.waveFactor[a];
+        c.force[k] = vector::zero;
+    }
+}
+
+
+const Foam::boundBox& Foam::solidBody::surfaceVelocities
+(
+    const label patchi,
+    const scalar time
+)
+{
+    bodySurface& its = surfaces_[patchi];
+    if (its.velocityTime == time) return its.velocities;
+
+    scalar least[3] = {}, most[3] = {};
+    withDirections(dual_.nDim(), [&](auto D)
+    {
+        constexpr int d = D.value;
+        const scalar* lm = data_.state.lm.cdata();
+        if (its.nodes.empty()) return;
+        for (int i = 0; i < d; ++i)
+        {
+            least[i] = most[i] = lm[its.nodes[0]*d + i];
+        }
+        for (const label a : its.nodes)
+        {
+            for (int i = 0; i < d; ++i)
+            {
+                least[i] = min(least[i], lm[a*d + i]);
+                most[i] = max(most[i], lm[a*d + i]);
+            }
+        }
+    });
+    const boundBox now(expand(least)/data_.rho, expand(most)/data_.rho);
+    its.velocities = its.velocityTime > -GREAT ? its.lastVelocities : now;
+    its.velocities.min() = min(its.velocities.min(), now.min());
+    its.velocities.max() = max(its.velocities.max(), now.max());
+    its.lastVelocities = now;
+    its.velocityTime = time;
+    return its.velocities;
+}
+
+
+void Foam::solidBody::rememberSlide()
+{
+    if (contact_.slide.on()) return;
+    contact_.slide.start(dual_.nNodes());
+    const auto slide = readIfPresent<vector>("contactSlide", dimLength);
+    if (slide.valid())
+    {
+        forAll(contact_.slide.ways(), a)
+        {
+            contact_.slide.ways()[a] =
+                slide().primitiveField()[dual_.nodePoint()[a]];
+        }
+    }
+}
+
+
+void Foam::solidBody::finishSlide()
+{
+    contact_.slide.finish
+    (
+        dual_.sharing(), contact_.nodes(),
+        [this](const label a) { return deformationGradient(a); }
+    );
+}
+
+
+Foam::vector Foam::solidBody::stepVelocity(const label node) const
+{
+    const label d = dual_.nDim();
+    if (block_.valid() && block_->inside)
+    {
+        return expand(block_->path.cdata() + d*node);
+    }
+    return expand(data_.state.lm.cdata() + d*node)/data_.rho;
+}
+
+
+Foam::vector Foam::solidBody::meanStepVelocity(const label node) const
+{
+    const label d = dual_.nDim();
+    if (block_.valid() && block_->inside) return stepVelocity(node);
+    return
+        0.5
+       *(stepVelocity(node) + expand(data_.old.lm.cdata() + d*node)/data_.rho);
+}
+
+
+Foam::label Foam::solidBody::findNodeFasterThan(const scalar speed) const
+{
+    const label d = dual_.nDim();
+    for (label a = 0; a < dual_.nNodes(); ++a)
+    {
+        if (mag(expand(data_.state.lm.cdata() + a*d)) >= speed*data_.rho)
+        {
+            return a;
+        }
+    }
+    return -1;
+}
+
+
+Foam::scalar Foam::solidBody::largestSpeed() const
+{
+    const label d = dual_.nDim();
+    placeAll();
+    scalar largest = 0;
+    for (label a = 0; a < dual_.nNodes(); ++a)
+    {
+        largest = max(largest, mag(expand(data_.state.lm.cdata() + a*d)));
+    }
+    return largest/data_.rho;
+}
+
+
+Foam::vector Foam::solidBody::meanVelocity() const
+{
+    return
+        returnReduce(linearMomentum(), sumOp<vector>())
+       /returnReduce(mass(), sumOp<scalar>());
 }
 
 
@@ -484,45 +576,79 @@ void Foam::solidBody::setGravity(const vector& g)
     {
         gravity_[i] = g[dual_.directions()[i]];
     }
-    if (rigid_.valid()) rigid_->setGravity(expand(gravity_.cdata()));
 }
 
 
-Foam::scalar Foam::solidBody::commitPlasticity()
+void Foam::solidBody::scaleMass(const scalar factor, const scalar before)
 {
-    return
-        material_->plastic()
-      ? material_->commit(data_.state, ownedVolume_)
-      : 0;
+    if (factor != before)
+    {
+        for (scalar& lm : data_.state.lm) lm *= factor/before;
+    }
+    if (factor == 1) return;
+
+    material_->scaleMass(factor);
+    data_.rho = material_->rho();
+    data_.cp = material_->cp();
+    data_.cs = material_->cs();
+    forAll(corners_, patchi)
+    {
+        if (!corners_.set(patchi)) continue;
+        corners_[patchi].zp = data_.rho*data_.cp;
+        corners_[patchi].zs = data_.rho*data_.cs;
+    }
 }
 
 
-void Foam::solidBody::restoreOld()
+void Foam::solidBody::leap
+(
+    const scalar time,
+    const scalar deltaT,
+    const bool energy,
+    powers& accounts
+)
 {
-    if (reactions_.valid()) reactions_->restore();
-    if (rigid_.valid())
+    leap
+    (
+        time, deltaT, 0.5*(lastStep_ + deltaT), deltaT, energy, accounts
+    );
+}
+
+
+void Foam::solidBody::write()
+{
+    placeAll();
+
+    // Velocity, with its boundary conditions
     {
-        rigid_->restore(block_.valid());
-        lastStep_ = block_.valid() ? block_->lastStep : oldStep_;
-        placeSurface();
-        return;
+        vectorField& U = pointU_.primitiveFieldRef();
+        forAll(U, i)
+        {
+            const label a = dual_.pointNode()[i];
+            for (label k = 0; k < dual_.nDim(); ++k)
+            {
+                U[i][dual_.directions()[k]] = velocity(a, k);
+            }
+        }
+        pointU_.instance() = time_.timeName();
+        pointU_.write();
+        writtenTimes::check(pointU_);
     }
-    if (data_.variational)
-    {
-        data_.state.lm = block_.valid() ? block_->lm : data_.old.lm;
-        data_.state.disp = block_.valid() ? block_->disp : data_.old.disp;
-        if (block_.valid()) scheme_->acceleration() = block_->acceleration;
-        else scheme_->restoreAcceleration();
-        lastStep_ = block_.valid() ? block_->lastStep : oldStep_;
-        if (block_.valid()) block_->inside = false;
-        scheme_->forget();
-    }
-    else
-    {
-        data_.state.assignSolved(data_.old);
-    }
-    data_.state.sinceCommit = 0;
-    keptPlasticity_.restore(data_.state);
+
+    bodyFields(*this).write();
+}
+
+
+Foam::nodalField Foam::solidBody::field(const word& name) const
+{
+    placeAll();
+    return bodyFields(*this).field(name);
+}
+
+
+std::size_t Foam::solidBody::bytes() const
+{
+    return data_.bytes() + dual_.bytes() + contact_.bytes();
 }
 
 

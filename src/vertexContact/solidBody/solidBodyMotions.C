@@ -168,12 +168,6 @@ void Foam::solidBody::accountReactions()
 
 Foam::labelList Foam::solidBody::reactingPatches() const
 {
-    // What holds a rigid region acts on it as a whole
-    if (rigid_.valid())
-    {
-        return labelList(rigid_->isHeld() ? 1 : 0, constraintReactions::whole);
-    }
-
     labelHashSet patches(mirrorPatches_);
     patches.insert(held_.patches());
     return patches.sortedToc();

@@ -25,11 +25,6 @@ namespace
 //  round-off
 constexpr Foam::scalar largestRemoved = 1e-10;
 
-//- Of F0 and CpInv with six digits: components, and by how much the determinant
-//  is not one
-constexpr Foam::scalar roundedStretch = 1e-6;
-constexpr Foam::scalar roundedDeterminant = 1e-5;
-
 } // End anonymous namespace
 
 
@@ -249,63 +244,7 @@ void Foam::solidBody::readState()
         }
     }
 
-    if (data_.variational && !rigid_.valid())
-    {
-        // Also where this processor has no node of the body
-        if (d > 1)
-        {
-            const auto rush =
-                readIfPresent<vector>("acceleration", dimAcceleration);
-            for (label a = 0; a < n && rush.valid(); ++a)
-            {
-                for (label i = 0; i < d; ++i)
-                {
-                    scheme_->acceleration()[a*d + i] =
-                        rush().primitiveField()[point[a]][dir[i]];
-                }
-            }
-        }
-        nBad_ = scheme_->deform();
-    }
-    else if (rigid_.valid())
-    {
-        // fitRigid() makes it of where the nodes are
-    }
-    else if (F.valid())
-    {
-        const auto H =
-            s.solvesH
-          ? readIfPresent<tensor>("H", dimless)
-          : autoPtr<pointTensorField>();
-        const auto J =
-            s.solvesJ
-          ? readIfPresent<scalar>("J", dimless)
-          : autoPtr<pointScalarField>();
-
-        const label out = d == 2 ? 3 - dir[0] - dir[1] : 0;
-        for (label a = 0; a < n; ++a)
-        {
-            findKinematics(a);
-            if (H.valid())
-            {
-                const tensor& given = H().primitiveField()[point[a]];
-                if (d == 2) s.H[a] = given[4*out];
-                for (label k = 0; d == 3 && k < 9; ++k)
-                {
-                    s.H[9*a + placeH(k)] = given[k];
-                }
-            }
-            if (J.valid()) s.J[a] = J().primitiveField()[point[a]];
-        }
-    }
-    else if (D.valid())
-    {
-        deformationFromDisplacement();
-    }
-
-    // What a run has written, and what displacements have strained, is at its
-    // yield stress, or beyond it by what the first step flows
-    if (material_->plastic()) readPlasticState(!F.valid() && !D.valid());
+    readKinematics(F.valid(), D.valid());
 
     const scalar removed = returnReduce
     (
@@ -318,8 +257,6 @@ void Foam::solidBody::readState()
             << removed/data_.rho << " m/s normal to a symmetry plane was "
             << "removed" << endl;
     }
-    if (data_.variational) checkStart();
-
     if (contact_.on())
     {
         const auto status = readIfPresent<scalar>("contactStatus", dimless);
@@ -334,143 +271,22 @@ void Foam::solidBody::readState()
 }
 
 
-void Foam::solidBody::readPlasticState(const bool undeformed)
+namespace Foam
 {
-    conservedState& s = data_.state;
-    const label d = dual_.nDim();
-    const label n = dual_.nNodes();
-    const FixedList<label, 3>& dir = dual_.directions();
-    const labelList& point = dual_.nodePoint();
 
-    // Also where this processor has no node of the body
-    fileName CFile;
-    const auto C = readIfPresent<symmTensor>("CpInv", dimless, &CFile);
-    const auto strain = readIfPresent<scalar>("epsilonPEq", dimless);
-    if (material_->initialTemperature() > 0)
-    {
-        fileName file;
-        const auto T = readIfPresent<scalar>("pointT", dimTemperature, &file);
-        for (label a = 0; a < n && T.valid(); ++a)
-        {
-            s.temperature[a] = T().primitiveField()[point[a]];
-            if (!(s.temperature[a] > 0))
-            {
-                FatalFileErrorInFunction(file)
-                    << "Keyword 'internalField': a temperature is "
-                    << s.temperature[a] << " K, it must be positive"
-                    << exit(FatalIOError);
-            }
-        }
-    }
+#define makeReadIfPresent(Type)                                               \
+    template autoPtr<GeometricField<Type, pointPatchField, pointMesh>>        \
+    solidBody::readIfPresent                                                  \
+    (                                                                         \
+        const word&, const dimensionSet&, fileName*                           \
+    ) const;
 
-    const label out = d == 2 ? 3 - dir[0] - dir[1] : (dir[0] + 1) % 3;
-    for (label a = 0; a < n; ++a)
-    {
-        if (C.valid())
-        {
-            const symmTensor& given = C().primitiveField()[point[a]];
-            if
-            (
-                !(mag(det(given) - 1) <= roundedDeterminant)
-             || !(given.xx() > 0)
-             || !(given.xx()*given.yy() > sqr(given.xy()))
-            )
-            {
-                FatalFileErrorInFunction(CFile)
-                    << "Keyword 'internalField': CpInv is " << given << " at "
-                    << mesh_.points()[point[a]] << ", with the determinant "
-                    << det(given) << ": it must be positive definite, with the "
-                    << "determinant 1." << nl
-                    << "Give changes of the volume by the field F0"
-                    << exit(FatalIOError);
-            }
-            const tensor full(given);
-            scalar* p = s.Cpi.data() + a*s.strideCpi;
-            for (label i = 0; i < d; ++i)
-            {
-                for (label j = i; j < d; ++j) *p++ = full[3*dir[i] + dir[j]];
-            }
-            if (d < 3) *p = full[4*out];
-        }
-        if (strain.valid())
-        {
-            s.epsilonPEq[a] = strain().primitiveField()[point[a]];
-        }
-    }
+makeReadIfPresent(scalar)
+makeReadIfPresent(vector)
+makeReadIfPresent(tensor)
+makeReadIfPresent(symmTensor)
 
-    // The file, also where this processor has no node of the body
-    fileName file(CFile);
-    const bool stretched = material_->initial().on();
-    if (stretched) readIfPresent<tensor>("F0", dimless, &file);
-    for (label a = 0; a < n && undeformed && (stretched || C.valid()); ++a)
-    {
-        const Pair<scalar> stress(material_->yieldState(s, a));
-        if
-        (
-            stress.first() - stress.second()
-         <= roundedStretch*3*material_->mu()
-        )
-        {
-            continue;
-        }
-        FatalFileErrorInFunction(file)
-            << "Keyword 'internalField': the stress at the start is beyond the "
-            << "yield stress: that of von Mises (Kirchhoff) is "
-            << stress.first() << " Pa at " << mesh_.points()[point[a]]
-            << ", at most " << stress.second() << " Pa are valid." << nl
-            << "Give less of " << (stretched ? "the stretch F0" : "CpInv - I")
-            << ", or earlier flow by the field epsilonPEq"
-            << exit(FatalIOError);
-    }
-}
-
-
-void Foam::solidBody::deformationFromDisplacement()
-{
-    // The gradient of the displacement in place of the velocity
-    conservedState& s = data_.state;
-    const label d = dual_.nDim();
-    data_.W = Zero;
-    for (label a = 0; a < dual_.nNodes(); ++a)
-    {
-        for (label i = 0; i < d; ++i)
-        {
-            data_.W[a*data_.strideW + i] = s.disp[a*d + i];
-        }
-    }
-    computeGradients(true);
-
-    for (label a = 0; a < dual_.nNodes(); ++a)
-    {
-        const scalar* grad = data_.grad.cdata() + a*d*data_.strideG;
-        for (label i = 0; i < d; ++i)
-        {
-            for (label j = 0; j < d; ++j)
-            {
-                s.F[(a*d + i)*d + j] += grad[j*data_.strideG + i];
-            }
-        }
-        findKinematics(a);
-    }
-}
-
-
-void Foam::solidBody::findKinematics(const label node)
-{
-    conservedState& s = data_.state;
-    withDirections(s.nDim, [&](auto D)
-    {
-        const SolidTensor<D.value> F = loadF<D.value>(s.F.cdata(), node);
-        const SolidTensor<D.value> H = cofactor(F);
-        const scalar J = determinant(F, H);
-        for (label k = 0; D.value == 3 && k < s.strideH; ++k)
-        {
-            s.H[9*node + placeH(k)] = H.in[k];
-        }
-        if (D.value == 2 && s.solvesH) s.H[node] = J;
-        if (s.solvesJ) s.J[node] = J;
-    });
-}
+} // End namespace Foam
 
 
 // ************************************************************************* //

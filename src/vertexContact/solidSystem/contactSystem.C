@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "contactSystem.H"
+#include "variationalScheme.H"
 #include "solidBody.H"
 #include "dictionaryCheck.H"
 #include "generalInterface.H"

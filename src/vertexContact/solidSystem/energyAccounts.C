@@ -65,7 +65,7 @@ Foam::scalarList Foam::energyAccounts::sums() const
         }
         scalar* sum = all.data() + nSums*i;
         *sum++ = body.kineticEnergy();
-        *sum++ = leapfrog_ ? body.swing() : 0;
+        *sum++ = body.swing();
         *sum++ = body.strainEnergy();
         for (const accountEntry& a : accountEntries) *sum++ = account.*a.value;
     }
@@ -115,15 +115,6 @@ void Foam::energyAccounts::begin()
     {
         const scalar* sum = all.cdata() + nSums*i;
         initial_[i] = sum[0] - sum[1] + sum[2];
-    }
-}
-
-
-void Foam::energyAccounts::addStage(const scalar time)
-{
-    forAll(bodies_, i)
-    {
-        add(accounts_[i], bodies_[i].stagePowers(), time);
     }
 }
 

@@ -11,14 +11,59 @@ Description
 
 #include "solidSystem.H"
 #include "nodeMessage.H"
+#include "paperBody.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- With these integrators all bodies have the paper's scheme (systemChecks)
+Foam::paperBody& ofPaper(Foam::solidBody& body)
+{
+    return dynamic_cast<Foam::paperBody&>(body);
+}
+
+} // End anonymous namespace
+
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::solidSystem::account(const int stage)
 {
     const scalar dt = integrator_.weight(stage)*runTime_.deltaTValue();
-    if (accounts_.on()) accounts_.addStage(dt);
+    forAll(bodies_, i)
+    {
+        if (!accounts_.on()) break;
+        energyAccounts::add
+        (
+            accounts_[i], ofPaper(bodies_[i]).stagePowers(), dt
+        );
+    }
     contacts_.accumulate(dt);
+}
+
+
+void Foam::solidSystem::solveBoundaries
+(
+    const scalar time,
+    const bool moved,
+    const bool firstStage
+)
+{
+    for (solidBody& body : bodies_) ofPaper(body).prepare(time, moved);
+    contacts_.solve(time, firstStage);
+}
+
+
+void Foam::solidSystem::evaluateStage(const scalar time, const int stage)
+{
+    solveBoundaries(time, true, stage == 0);
+    for (solidBody& body : bodies_)
+    {
+        ofPaper(body).computeFluxes(accounts_.on());
+        ofPaper(body).finishRates(time, accounts_.on());
+    }
 }
 
 
@@ -28,7 +73,7 @@ void Foam::solidSystem::advance(const int stage, const updatedPart part)
     label nBad = 0;
     for (solidBody& body : bodies_)
     {
-        nBad += body.advance
+        nBad += ofPaper(body).advance
         (
             deltaT, integrator_.oldWeight(stage),
             integrator_.instant(stage + 1)*deltaT, part
@@ -47,7 +92,7 @@ void Foam::solidSystem::advance(const int stage, const updatedPart part)
         {
             part == updatedPart::all
           ? body.restoreOld()
-          : body.restoreMomentum();
+          : ofPaper(body).restoreMomentum();
         }
     }
 }
@@ -59,7 +104,7 @@ void Foam::solidSystem::complete(const int stage, const updatedPart part)
     label nBad = 0;
     for (solidBody& body : bodies_)
     {
-        nBad += body.advance
+        nBad += ofPaper(body).advance
         (
             deltaT, integrator_.oldWeight(stage), deltaT, part
         );
@@ -90,10 +135,7 @@ void Foam::solidSystem::stages(const scalar time)
     {
         advance(last, updatedPart::momentum);
         solveBoundaries(time, false, false);
-        for (solidBody& body : bodies_)
-        {
-            body.computeGradients();
-        }
+        for (solidBody& body : bodies_) ofPaper(body).computeGradients();
         complete(last, updatedPart::kinematics);
     }
     else

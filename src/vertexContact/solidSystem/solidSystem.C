@@ -11,35 +11,10 @@
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::solidSystem::solveBoundaries
-(
-    const scalar time,
-    const bool moved,
-    const bool firstStage
-)
-{
-    for (solidBody& body : bodies_)
-    {
-        body.prepare(time, moved);
-    }
-    contacts_.solve(time, firstStage);
-}
-
-
 void Foam::solidSystem::evaluate(const scalar time, const int stage)
 {
-    if (integrator_.leapfrog())
-    {
-        evaluateForces(time, false);
-        return;
-    }
-    solveBoundaries(time, true, stage == 0);
-
-    for (solidBody& body : bodies_)
-    {
-        body.computeFluxes(accounts_.on());
-        body.finishRates(time, accounts_.on());
-    }
+    if (integrator_.leapfrog()) evaluateForces(time, false);
+    else evaluateStage(time, stage);
 }
 
 

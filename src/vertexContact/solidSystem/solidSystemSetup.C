@@ -49,7 +49,10 @@ Foam::PtrList<Foam::solidBody> Foam::solidSystem::readBodies() const
     PtrList<solidBody> bodies(regions.size());
     forAll(regions, i)
     {
-        bodies.set(i, new solidBody(runTime_, regions[i], preset_.scheme));
+        bodies.set
+        (
+            i, solidBody::New(runTime_, regions[i], preset_.scheme).ptr()
+        );
     }
     return bodies;
 }

@@ -4,18 +4,18 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 -------------------------------------------------------------------------------
 Description
-    The leapfrog of a body: what acts on its surface, what is held, works, and
-    how it moves with the forces of all.
+    Forces of a body at a time, and the leapfrog: what acts on its surface, what
+    is held, works, and how it moves with the forces of all.
 
 \*---------------------------------------------------------------------------*/
 
-#include "solidBody.H"
+#include "variationalBody.H"
 #include "solidBoundaryCondition.H"
 #include "passTimes.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::solidBody::findCompliances()
+void Foam::variationalBody::findCompliances()
 {
     // Area vector of all surfaces of contact at each node
     const label d = dual_.nDim();
@@ -61,7 +61,14 @@ void Foam::solidBody::findCompliances()
 }
 
 
-void Foam::solidBody::addTractions()
+void Foam::variationalBody::prepare(const scalar time, const bool wavesAnew)
+{
+    nBad_ = scheme_->computeForces(stretchedWaves_ && wavesAnew);
+    solveConditions(time);
+}
+
+
+void Foam::variationalBody::addTractions()
 {
     const label d = dual_.nDim();
     externalForce_ = Zero;
@@ -76,7 +83,7 @@ void Foam::solidBody::addTractions()
          && !condition(patchi).contact()
         )
         {
-            variational_->addTractions
+            kernel_->addTractions
             (
                 data_, patch, corners_[patchi], externalForce_
             );
@@ -95,7 +102,19 @@ void Foam::solidBody::addTractions()
 }
 
 
-void Foam::solidBody::holdDissipation()
+void Foam::variationalBody::addBodyForces(const scalar time)
+{
+    const label d = dual_.nDim();
+    const auto& owned = dual_.sharing().owned();
+    forBodyForces(time, [&](const label a, const label i, const scalar f)
+    {
+        data_.rates[a*data_.strideRates + i] += f;
+        if (owned[a]) externalForce_[a*d + i] += f;
+    });
+}
+
+
+void Foam::variationalBody::holdDissipation()
 {
     // What contact or a boundary holds is not moved by the dissipation
     const label d = dual_.nDim();
@@ -116,22 +135,38 @@ void Foam::solidBody::holdDissipation()
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::solidBody::updateContactVelocity()
+void Foam::variationalBody::evaluate
+(
+    const scalar time,
+    const bool wavesAnew,
+    const bool
+)
+{
+    prepare(time, wavesAnew);
+    addTractions();
+    evaluated_ = true;
+    reusable_ = true;
+    if (damping_.valid()) damping_->setTime(time);
+    addBodyForces(time);
+    if (reactions_.valid()) reactions_->takeFree(data_);
+    react();
+    if (symmetry_.active())
+    {
+        symmetry_.project(data_.rates.data(), data_.strideRates);
+    }
+}
+
+
+void Foam::variationalBody::updateContactVelocity()
 {
     if (!contact_.on()) return;
-    if (rigid_.valid()) updateRigidContactVelocity();
     else contact_.updateVelocity(work_);
 }
 
 
-void Foam::solidBody::addContactForces()
+void Foam::variationalBody::addContactForces()
 {
     if (!contact_.on()) return;
-    if (rigid_.valid())
-    {
-        sumContact();
-        return;
-    }
     const label d = dual_.nDim();
     contact_.sum(work_);
     if (reactions_.valid()) reactions_->takeContact(work_, d);
@@ -150,54 +185,7 @@ void Foam::solidBody::addContactForces()
 }
 
 
-void Foam::solidBody::rememberSlide()
-{
-    if (contact_.slide.on()) return;
-    contact_.slide.start(dual_.nNodes());
-    const auto slide = readIfPresent<vector>("contactSlide", dimLength);
-    if (slide.valid())
-    {
-        forAll(contact_.slide.ways(), a)
-        {
-            contact_.slide.ways()[a] =
-                slide().primitiveField()[dual_.nodePoint()[a]];
-        }
-    }
-}
-
-
-void Foam::solidBody::finishSlide()
-{
-    contact_.slide.finish
-    (
-        dual_.sharing(), contact_.nodes(),
-        [this](const label a) { return deformationGradient(a); }
-    );
-}
-
-
-Foam::vector Foam::solidBody::stepVelocity(const label node) const
-{
-    const label d = dual_.nDim();
-    if (block_.valid() && block_->inside)
-    {
-        return expand(block_->path.cdata() + d*node);
-    }
-    return expand(data_.state.lm.cdata() + d*node)/data_.rho;
-}
-
-
-Foam::vector Foam::solidBody::meanStepVelocity(const label node) const
-{
-    const label d = dual_.nDim();
-    if (block_.valid() && block_->inside) return stepVelocity(node);
-    return
-        0.5
-       *(stepVelocity(node) + expand(data_.old.lm.cdata() + d*node)/data_.rho);
-}
-
-
-void Foam::solidBody::react()
+void Foam::variationalBody::react()
 {
     const label d = dual_.nDim();
     forAll(held_.nodes(), k)
@@ -216,7 +204,10 @@ void Foam::solidBody::react()
 }
 
 
-Foam::scalar Foam::solidBody::imposedWork(const scalarField& velocity) const
+Foam::scalar Foam::variationalBody::imposedWork
+(
+    const scalarField& velocity
+) const
 {
     const label d = dual_.nDim();
     const scalar* v = velocity.cdata();
@@ -241,7 +232,7 @@ Foam::scalar Foam::solidBody::imposedWork(const scalarField& velocity) const
 }
 
 
-Foam::solidBody::powers Foam::solidBody::powersOf
+Foam::variationalBody::powers Foam::variationalBody::powersOf
 (
     const scalarField& velocity
 ) const
@@ -273,17 +264,9 @@ Foam::solidBody::powers Foam::solidBody::powersOf
 }
 
 
-Foam::solidBody::powers Foam::solidBody::presentPowers() const
+Foam::variationalBody::powers Foam::variationalBody::presentPowers() const
 {
     if (!evaluated_) return powers();
-    if (rigid_.valid())
-    {
-        const rigidBody::works now(rigid_->presentPowers());
-        powers p;
-        p.external = now.external;
-        p.contact = now.contact;
-        return p;
-    }
     const label d = dual_.nDim();
     scalarField v(dual_.nNodes()*d);
     for (label a = 0; a < dual_.nNodes(); ++a)
@@ -309,14 +292,8 @@ Foam::solidBody::powers Foam::solidBody::presentPowers() const
 }
 
 
-void Foam::solidBody::keepOld()
+void Foam::variationalBody::keepOld()
 {
-    if (rigid_.valid())
-    {
-        rigid_->keepOld();
-        oldStep_ = lastStep_;
-        return;
-    }
     data_.old.lm = data_.state.lm;
     data_.old.disp = data_.state.disp;
     scheme_->keepAcceleration();
@@ -324,22 +301,7 @@ void Foam::solidBody::keepOld()
 }
 
 
-void Foam::solidBody::leap
-(
-    const scalar time,
-    const scalar deltaT,
-    const bool energy,
-    powers& accounts
-)
-{
-    leap
-    (
-        time, deltaT, 0.5*(lastStep_ + deltaT), deltaT, energy, accounts
-    );
-}
-
-
-void Foam::solidBody::leap
+void Foam::variationalBody::leap
 (
     const scalar time,
     const scalar deltaT,
@@ -349,11 +311,6 @@ void Foam::solidBody::leap
     powers& accounts
 )
 {
-    if (rigid_.valid())
-    {
-        leapRigid(time, deltaT, kick, step, energy, accounts);
-        return;
-    }
     const label d = dual_.nDim();
     scalar* lm = data_.state.lm.data();
     const scalar perRho = 1/data_.rho;

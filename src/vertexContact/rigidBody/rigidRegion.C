@@ -2,15 +2,9 @@
     vertexContact: explicit large-strain contact dynamics in OpenFOAM
     Copyright (C) 2026 vertexContact developers
     SPDX-License-Identifier: GPL-3.0-or-later
--------------------------------------------------------------------------------
-Description
-    A region that is rigid: what its nodes do as those of rigidBody, and what
-    contact does to it. In a step only nodes of the surface are moved; all
-    others where something asks for them.
-
 \*---------------------------------------------------------------------------*/
 
-#include "solidBody.H"
+#include "rigidRegion.H"
 #include "solidBoundaryCondition.H"
 #include "fileError.H"
 #include "regionFiles.H"
@@ -30,12 +24,26 @@ constexpr Foam::scalar largestLost = 1e-12;
 constexpr Foam::scalar turnedEnough = 1e-30;
 constexpr Foam::label mostTurns = 100;
 
+//- Steps in a radian: contact, found at the start of a step, is where it acts,
+//  but for a twentieth of the lever
+constexpr Foam::scalar stepsPerTurn = 3;
+
 } // End anonymous namespace
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::solidBody::makeRigid()
+Foam::kinematicSet Foam::rigidRegion::kinematicsOf
+(
+    const schemeOptions&,
+    const materialModel&
+)
+{
+    return kinematicSet::F;
+}
+
+
+void Foam::rigidRegion::makeRigid()
 {
     const dictionary dict(regionFiles::material(mesh_));
     if (!data_.variational)
@@ -44,7 +52,7 @@ void Foam::solidBody::makeRigid()
             << "Keyword 'type' is rigid, which does not go with preset paper"
             << exit(FatalIOError);
     }
-    if (bodyForces_.size())
+    if (regionFiles::bodyForces(mesh_).size())
     {
         FatalIOErrorInFunction(dict)
             << "Keyword 'type' is rigid, but the region has bodyForces. Use "
@@ -99,13 +107,14 @@ void Foam::solidBody::makeRigid()
         forAll(compliance, k)
         {
             compliance[k] =
-                area*rigid_->compliance(reference(patch.cornerNode[k]));
+                    data_.rho*area
+               *rigid_->compliance(reference(patch.cornerNode[k]));
         }
     }
 }
 
 
-void Foam::solidBody::fitRigid()
+void Foam::rigidRegion::fitRigid()
 {
     const label d = dual_.nDim();
 
@@ -209,7 +218,7 @@ void Foam::solidBody::fitRigid()
 }
 
 
-void Foam::solidBody::placeNode
+void Foam::rigidRegion::placeNode
 (
     const label a,
     const tensor& R,
@@ -242,7 +251,7 @@ void Foam::solidBody::placeNode
 }
 
 
-void Foam::solidBody::setRates
+void Foam::rigidRegion::setRates
 (
     const label a,
     const rigidBody::motionState& v,
@@ -267,7 +276,7 @@ void Foam::solidBody::setRates
 }
 
 
-void Foam::solidBody::placeSurface()
+void Foam::rigidRegion::placeContactNodes()
 {
     const tensor R(rigid_->rotation());
     const rigidBody::motionState v(rigid_->motion(lastStep_));
@@ -278,39 +287,7 @@ void Foam::solidBody::placeSurface()
 }
 
 
-void Foam::solidBody::placeAll() const
-{
-    if (!rigid_.valid()) return;
-    solidBody& self = const_cast<solidBody&>(*this);
-    const tensor R(rigid_->rotation());
-    const rigidBody::motionState v(rigid_->motion(lastStep_));
-    const rigidBody::motionState now{v.velocity, rigid_->presentSpin()};
-    const rigidBody::motionState rate
-    (
-        self.rigid_->fullAcceleration(lastStep_)
-    );
-    for (label a = 0; a < dual_.nNodes(); ++a)
-    {
-        self.placeNode(a, R, rigid_->shift(), v);
-        self.setRates(a, now, rate);
-    }
-}
-
-
-void Foam::solidBody::evaluateRigid(const scalar time)
-{
-    rigid_->findLoads(time);
-    nBad_ = rigid_->finite() ? 0 : 1;
-    const rigidBody::motionState v
-    {
-        vector::zero, rigid_->presentSpin()
-    };
-    const rigidBody::motionState rate(rigid_->acceleration());
-    for (const label a : contact_.nodes()) setRates(a, v, rate);
-}
-
-
-void Foam::solidBody::sumContact()
+void Foam::rigidRegion::sumContact()
 {
     const label d = dual_.nDim();
     const point centre(rigid_->start() + rigid_->shift());
@@ -337,8 +314,113 @@ void Foam::solidBody::sumContact()
 }
 
 
-void Foam::solidBody::updateRigidContactVelocity()
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::rigidRegion::rigidRegion
+(
+    autoPtr<polyMesh>& mesh,
+    const schemeOptions& options
+)
+:
+    solidBody(mesh, options, kinematicsOf)
 {
+    makeRigid();
+    findSurfaceNodes();
+    readState();
+    fitRigid();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::rigidRegion::readRigid(const dictionary& record)
+{
+    if (record.size()) rigid_->read(record);
+    placeAll();
+}
+
+
+void Foam::rigidRegion::setGravity(const vector& g)
+{
+    solidBody::setGravity(g);
+    rigid_->setGravity(expand(gravity_.cdata()));
+}
+
+
+Foam::scalar Foam::rigidRegion::timeScale(const bool)
+{
+    return 1/(stepsPerTurn*mag(rigid_->presentSpin()) + 1/GREAT);
+}
+
+
+void Foam::rigidRegion::restoreOld()
+{
+    if (reactions_.valid()) reactions_->restore();
+    rigid_->restore(block_.valid());
+    lastStep_ = block_.valid() ? block_->lastStep : oldStep_;
+    placeContactNodes();
+}
+
+
+Foam::labelList Foam::rigidRegion::reactingPatches() const
+{
+    // What holds it acts on it as a whole
+    return labelList(rigid_->isHeld() ? 1 : 0, constraintReactions::whole);
+}
+
+
+void Foam::rigidRegion::placeAll() const
+{
+    rigidRegion& self = const_cast<rigidRegion&>(*this);
+    const tensor R(rigid_->rotation());
+    const rigidBody::motionState v(rigid_->motion(lastStep_));
+    const rigidBody::motionState now{v.velocity, rigid_->presentSpin()};
+    const rigidBody::motionState rate
+    (
+        self.rigid_->fullAcceleration(lastStep_)
+    );
+    for (label a = 0; a < dual_.nNodes(); ++a)
+    {
+        self.placeNode(a, R, rigid_->shift(), v);
+        self.setRates(a, now, rate);
+    }
+}
+
+
+void Foam::rigidRegion::report(Ostream& os) const
+{
+    const auto onOff = [](const bool on) { return on ? "on" : "off"; };
+    dual_.report(os);
+    rigid_->report(os);
+    os  << nl << "    gravity " << onOff(hasGravity())
+        << ", contact " << onOff(contact_.on());
+    reportBytes(os);
+}
+
+
+void Foam::rigidRegion::evaluate
+(
+    const scalar time,
+    const bool,
+    const bool
+)
+{
+    evaluated_ = true;
+    reusable_ = true;
+    rigid_->findLoads(time);
+    nBad_ = rigid_->finite() ? 0 : 1;
+    const rigidBody::motionState v
+    {
+        vector::zero, rigid_->presentSpin()
+    };
+    const rigidBody::motionState rate(rigid_->acceleration());
+    for (const label a : contact_.nodes()) setRates(a, v, rate);
+}
+
+
+void Foam::rigidRegion::updateContactVelocity()
+{
+    if (!contact_.on()) return;
     sumContact();
     const rigidBody::motionState push(rigid_->contactAcceleration());
     const point centre(rigid_->start() + rigid_->shift());
@@ -350,7 +432,13 @@ void Foam::solidBody::updateRigidContactVelocity()
 }
 
 
-void Foam::solidBody::leapRigid
+void Foam::rigidRegion::addContactForces()
+{
+    if (contact_.on()) sumContact();
+}
+
+
+void Foam::rigidRegion::leap
 (
     const scalar time,
     const scalar deltaT,
@@ -380,17 +468,57 @@ void Foam::solidBody::leapRigid
     oldStep_ = lastStep_;
     lastStep_ = step;
     evaluated_ = false;
-    placeSurface();
+    placeContactNodes();
 }
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::solidBody::readRigid(const dictionary& record)
+void Foam::rigidRegion::keepOld()
 {
-    if (!rigid_.valid()) return;
-    if (record.size()) rigid_->read(record);
+    rigid_->keepOld();
+    oldStep_ = lastStep_;
+}
+
+
+Foam::solidBody::powers Foam::rigidRegion::presentPowers() const
+{
+    powers p;
+    if (!evaluated_) return p;
+    const rigidBody::works now(rigid_->presentPowers());
+    p.external = now.external;
+    p.contact = now.contact;
+    return p;
+}
+
+
+void Foam::rigidRegion::keepStart()
+{
+    if (!block_.valid()) block_.reset(new stepBlock);
+    rigid_->keepStart();
+    block_->lastStep = lastStep_;
+}
+
+
+void Foam::rigidRegion::stop()
+{
+    rigid_->stop();
     placeAll();
+}
+
+
+void Foam::rigidRegion::startFromRest()
+{
+    rigid_->startFromRest(0.5*lastStep_);
+    placeAll();
+}
+
+
+Foam::solidBody::forceBalance Foam::rigidRegion::balance()
+{
+    const rigidBody::loadBalance its(rigid_->balance());
+    forceBalance b;
+    b.unbalanced = returnReduce(its.unbalanced, sumOp<scalar>());
+    b.loads = returnReduce(its.loads, sumOp<scalar>());
+    return b;
 }
 
 

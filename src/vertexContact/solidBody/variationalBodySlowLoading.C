@@ -9,25 +9,25 @@ Description
 
 \*---------------------------------------------------------------------------*/
 
-#include "solidBody.H"
+#include "variationalBody.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::solidBody::findHeld()
+void Foam::variationalBody::findHeld()
 {
-    if (rigid_.valid() || heldBy_.size()) return;
+    if (heldBy_.size()) return;
     heldBy_.setSize(dual_.nNodes(), -1);
     forAll(held_.nodes(), k) heldBy_[held_.nodes()[k]] = k;
 }
 
 
-void Foam::solidBody::freePart(const label node, scalar* p) const
+void Foam::variationalBody::freePart(const label node, scalar* p) const
 {
     if (heldBy_[node] >= 0) held_.hold(heldBy_[node], p);
 }
 
 
-Foam::scalar Foam::solidBody::freeSquare(const scalarField& p) const
+Foam::scalar Foam::variationalBody::freeSquare(const scalarField& p) const
 {
     const label d = dual_.nDim();
     scalar sum = 0;
@@ -44,7 +44,7 @@ Foam::scalar Foam::solidBody::freeSquare(const scalarField& p) const
 }
 
 
-Foam::scalar Foam::solidBody::dampedVelocity
+Foam::scalar Foam::variationalBody::dampedVelocity
 (
     const label node,
     const label i
@@ -69,30 +69,18 @@ Foam::scalar Foam::solidBody::dampedVelocity
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::solidBody::scaleMass(const scalar factor, const scalar before)
+void Foam::variationalBody::scaleMass
+(
+    const scalar factor,
+    const scalar before
+)
 {
-    if (rigid_.valid()) return;
-    if (factor != before)
-    {
-        for (scalar& lm : data_.state.lm) lm *= factor/before;
-    }
-    if (factor == 1) return;
-
-    material_->scaleMass(factor);
-    data_.rho = material_->rho();
-    data_.cp = material_->cp();
-    data_.cs = material_->cs();
-    forAll(corners_, patchi)
-    {
-        if (!corners_.set(patchi)) continue;
-        corners_[patchi].zp = data_.rho*data_.cp;
-        corners_[patchi].zs = data_.rho*data_.cs;
-    }
-    if (scheme_.valid()) scheme_->scaleMass(factor);
+    solidBody::scaleMass(factor, before);
+    if (factor != 1) scheme_->scaleMass(factor);
 }
 
 
-Foam::scalar Foam::solidBody::undeformedTimeScale()
+Foam::scalar Foam::variationalBody::undeformedTimeScale()
 {
     // As a body that begins; the state is put back
     conservedState start
@@ -121,7 +109,7 @@ Foam::scalar Foam::solidBody::undeformedTimeScale()
 }
 
 
-void Foam::solidBody::setDamping(const dictionary& dict)
+void Foam::variationalBody::setDamping(const dictionary& dict)
 {
     damping_.reset(new massDamping(dict));
     damping_->setTime(time_.value());
@@ -129,16 +117,14 @@ void Foam::solidBody::setDamping(const dictionary& dict)
 }
 
 
-Foam::scalar Foam::solidBody::freeKineticEnergy() const
+Foam::scalar Foam::variationalBody::freeKineticEnergy() const
 {
-    if (rigid_.valid()) return rigid_->freeKineticEnergy();
     return 0.5*freeSquare(data_.state.lm)/data_.rho;
 }
 
 
-Foam::scalar Foam::solidBody::heldKineticEnergy() const
+Foam::scalar Foam::variationalBody::heldKineticEnergy() const
 {
-    if (rigid_.valid()) return rigid_->heldKineticEnergy();
     const label d = dual_.nDim();
     scalar sum = 0;
     for (const label a : held_.nodes())
@@ -155,14 +141,8 @@ Foam::scalar Foam::solidBody::heldKineticEnergy() const
 }
 
 
-void Foam::solidBody::stop()
+void Foam::variationalBody::stop()
 {
-    if (rigid_.valid())
-    {
-        rigid_->stop();
-        placeAll();
-        return;
-    }
     const label d = dual_.nDim();
     for (label a = 0; a < dual_.nNodes(); ++a)
     {
@@ -181,15 +161,9 @@ void Foam::solidBody::stop()
 }
 
 
-void Foam::solidBody::startFromRest()
+void Foam::variationalBody::startFromRest()
 {
     const scalar half = 0.5*lastStep_;
-    if (rigid_.valid())
-    {
-        rigid_->startFromRest(half);
-        placeAll();
-        return;
-    }
     const label d = dual_.nDim();
     const scalar share =
         damping_.valid() ? half/(1 - damping_->tanhOf(half)) : half;
@@ -205,41 +179,33 @@ void Foam::solidBody::startFromRest()
 }
 
 
-Foam::solidBody::forceBalance Foam::solidBody::balance()
+Foam::solidBody::forceBalance Foam::variationalBody::balance()
 {
     forceBalance b;
-    if (rigid_.valid())
+
+    // Rates are sums already; what acts from outside is this rank's share
+    const label d = dual_.nDim();
+    scalarField& loads = work_;
+    loads = externalForce_;
+    for (const label a : contact_.nodes())
     {
-        const rigidBody::loadBalance its(rigid_->balance());
-        b.unbalanced = its.unbalanced;
-        b.loads = its.loads;
+        for (label i = 0; i < d; ++i)
+        {
+            loads[a*d + i] += contact_.forces()[a*d + i];
+        }
     }
-    else
+    dual_.sharing().sum(loads.data(), d);
+    for (label a = 0; a < dual_.nNodes(); ++a)
     {
-        // Rates are sums already; what acts from outside is this rank's share
-        const label d = dual_.nDim();
-        scalarField& loads = work_;
-        loads = externalForce_;
-        for (const label a : contact_.nodes())
+        const scalar* rate = data_.rates.cdata() + a*data_.strideRates;
+        scalar out = 0, load = 0;
+        for (label i = 0; i < d; ++i)
         {
-            for (label i = 0; i < d; ++i)
-            {
-                loads[a*d + i] += contact_.forces()[a*d + i];
-            }
+            out += sqr(rate[i]);
+            load += sqr(loads[a*d + i]);
         }
-        dual_.sharing().sum(loads.data(), d);
-        for (label a = 0; a < dual_.nNodes(); ++a)
-        {
-            const scalar* rate = data_.rates.cdata() + a*data_.strideRates;
-            scalar out = 0, load = 0;
-            for (label i = 0; i < d; ++i)
-            {
-                out += sqr(rate[i]);
-                load += sqr(loads[a*d + i]);
-            }
-            b.unbalanced += ownedVolume_[a]*std::sqrt(out);
-            b.loads += ownedVolume_[a]*std::sqrt(load);
-        }
+        b.unbalanced += ownedVolume_[a]*std::sqrt(out);
+        b.loads += ownedVolume_[a]*std::sqrt(load);
     }
     reduce(b.unbalanced, sumOp<scalar>());
     reduce(b.loads, sumOp<scalar>());

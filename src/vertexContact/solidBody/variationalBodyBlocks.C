@@ -10,19 +10,13 @@ Description
 
 \*---------------------------------------------------------------------------*/
 
-#include "solidBody.H"
+#include "variationalBody.H"
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::solidBody::keepStart()
+void Foam::variationalBody::keepStart()
 {
     if (!block_.valid()) block_.reset(new stepBlock);
-    if (rigid_.valid())
-    {
-        rigid_->keepStart();
-        block_->lastStep = lastStep_;
-        return;
-    }
     block_->lm = data_.state.lm;
     block_->disp = data_.state.disp;
     block_->acceleration = scheme_->acceleration();
@@ -30,9 +24,9 @@ void Foam::solidBody::keepStart()
 }
 
 
-void Foam::solidBody::keepFreeRates()
+void Foam::variationalBody::keepFreeRates()
 {
-    if (!contact_.on() || rigid_.valid()) return;
+    if (!contact_.on()) return;
     if (!block_.valid()) block_.reset(new stepBlock);
     const label d = dual_.nDim();
     scalarField& rates = block_->freeRates;
@@ -51,9 +45,9 @@ void Foam::solidBody::keepFreeRates()
 }
 
 
-void Foam::solidBody::restoreFreeRates()
+void Foam::variationalBody::restoreFreeRates()
 {
-    if (!contact_.on() || rigid_.valid()) return;
+    if (!contact_.on()) return;
     const label d = dual_.nDim();
     forAll(contact_.nodes(), k)
     {
@@ -67,7 +61,7 @@ void Foam::solidBody::restoreFreeRates()
 }
 
 
-void Foam::solidBody::startBlock()
+void Foam::variationalBody::startBlock()
 {
     if (!block_.valid()) block_.reset(new stepBlock);
     stepBlock& b = *block_;
@@ -92,7 +86,7 @@ void Foam::solidBody::startBlock()
 }
 
 
-void Foam::solidBody::placeSurface(const scalar time)
+void Foam::variationalBody::placeSurface(const scalar time)
 {
     if (!contact_.on()) return;
     stepBlock& b = *block_;
@@ -126,7 +120,7 @@ void Foam::solidBody::placeSurface(const scalar time)
 }
 
 
-void Foam::solidBody::putSurfaceBack()
+void Foam::variationalBody::putSurfaceBack()
 {
     if (!contact_.on()) return;
     const label d = dual_.nDim();
@@ -142,7 +136,7 @@ void Foam::solidBody::putSurfaceBack()
 }
 
 
-void Foam::solidBody::addContactImpulse(const scalar deltaT)
+void Foam::variationalBody::addContactImpulse(const scalar deltaT)
 {
     block_->elapsed += deltaT;
     const label d = dual_.nDim();
@@ -156,7 +150,7 @@ void Foam::solidBody::addContactImpulse(const scalar deltaT)
 }
 
 
-void Foam::solidBody::endBlock()
+void Foam::variationalBody::endBlock()
 {
     putSurfaceBack();
     const label d = dual_.nDim();

@@ -4,17 +4,16 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 -------------------------------------------------------------------------------
 Description
-    What is looked for in all of a region, and summed over it.
+    What is looked for in all of a body, and summed over it.
 
 \*---------------------------------------------------------------------------*/
 
-#include "solidBody.H"
+#include "deformableBody.H"
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::label Foam::solidBody::findNodeWithin(const scalar timeScale) const
+Foam::label Foam::deformableBody::findNodeWithin(const scalar timeScale) const
 {
-    if (rigid_.valid()) return -1;
     for (label a = 0; a < dual_.nNodes(); ++a)
     {
         if (timeScaleOf(a) <= timeScale) return a;
@@ -23,9 +22,8 @@ Foam::label Foam::solidBody::findNodeWithin(const scalar timeScale) const
 }
 
 
-Foam::scalar Foam::solidBody::largestGradient() const
+Foam::scalar Foam::deformableBody::largestGradient() const
 {
-    if (rigid_.valid()) return 0;
     scalar largest = 0;
     for (label a = 0; a < dual_.nNodes(); ++a)
     {
@@ -41,36 +39,8 @@ Foam::scalar Foam::solidBody::largestGradient() const
 }
 
 
-Foam::scalar Foam::solidBody::largestSpeed() const
+Foam::label Foam::deformableBody::findBadNode() const
 {
-    const label d = dual_.nDim();
-    placeAll();
-    scalar largest = 0;
-    for (label a = 0; a < dual_.nNodes(); ++a)
-    {
-        largest = max(largest, mag(expand(data_.state.lm.cdata() + a*d)));
-    }
-    return largest/data_.rho;
-}
-
-
-Foam::label Foam::solidBody::findNodeFasterThan(const scalar speed) const
-{
-    const label d = dual_.nDim();
-    for (label a = 0; a < dual_.nNodes(); ++a)
-    {
-        if (mag(expand(data_.state.lm.cdata() + a*d)) >= speed*data_.rho)
-        {
-            return a;
-        }
-    }
-    return -1;
-}
-
-
-Foam::label Foam::solidBody::findBadNode() const
-{
-    if (rigid_.valid()) return rigid_->finite() || !dual_.nNodes() ? -1 : 0;
     const label d = dual_.nDim();
     for (label a = 0; a < dual_.nNodes(); ++a)
     {
@@ -100,9 +70,8 @@ Foam::label Foam::solidBody::findBadNode() const
 }
 
 
-Foam::scalar Foam::solidBody::kineticEnergy() const
+Foam::scalar Foam::deformableBody::kineticEnergy() const
 {
-    if (rigid_.valid()) return rigid_->kineticEnergy(lastStep_, evaluated_);
     scalar sum = 0;
     withDirections(dual_.nDim(), [&](auto D)
     {
@@ -117,55 +86,20 @@ Foam::scalar Foam::solidBody::kineticEnergy() const
 }
 
 
-Foam::scalar Foam::solidBody::swing() const
+Foam::scalar Foam::deformableBody::strainEnergy() const
 {
-    if (rigid_.valid()) return rigid_->swing(lastStep_, evaluated_);
-    if (!evaluated_) return 0;
-    scalar sum = 0;
-    withDirections(dual_.nDim(), [&](auto D)
-    {
-        for (label a = 0; a < dual_.nNodes(); ++a)
-        {
-            const scalar* rate = data_.rates.cdata() + a*data_.strideRates;
-            scalar power = 0;
-            for (int i = 0; i < D.value; ++i)
-            {
-                power += rate[i]*(velocity(a, i) - middleVelocity(a, i));
-            }
-            sum += ownedVolume_[a]*power;
-        }
-    });
-    return 0.25*lastStep_*sum;
+    return material_->totalStrainEnergy(data_.state, ownedVolume_);
 }
 
 
-Foam::scalar Foam::solidBody::strainEnergy() const
+Foam::scalar Foam::deformableBody::mass() const
 {
-    if (rigid_.valid()) return 0;
-    scalar sum = material_->totalStrainEnergy(data_.state, ownedVolume_);
-    if (data_.variational) sum += scheme_->jumpEnergy();
-    return sum;
-}
-
-
-Foam::scalar Foam::solidBody::mass() const
-{
-    if (rigid_.valid()) return Pstream::master() ? rigid_->mass() : 0;
     return data_.rho*sum(ownedVolume_);
 }
 
 
-Foam::vector Foam::solidBody::meanVelocity() const
+Foam::vector Foam::deformableBody::linearMomentum() const
 {
-    return
-        returnReduce(linearMomentum(), sumOp<vector>())
-       /returnReduce(mass(), sumOp<scalar>());
-}
-
-
-Foam::vector Foam::solidBody::linearMomentum() const
-{
-    if (rigid_.valid()) return rigid_->linearMomentum();
     scalar sum[3] = {};
     withDirections(dual_.nDim(), [&](auto D)
     {
@@ -182,10 +116,8 @@ Foam::vector Foam::solidBody::linearMomentum() const
 }
 
 
-Foam::vector Foam::solidBody::angularMomentum() const
+Foam::vector Foam::deformableBody::angularMomentum() const
 {
-    if (rigid_.valid()) return rigid_->angularMomentum();
-
     // x_i p_j - x_j p_i. No component can change that has a direction left out
     // in both factors
     tensor sum(Zero);
@@ -220,44 +152,6 @@ Foam::vector Foam::solidBody::angularMomentum() const
         }
     });
     return vector(sum.yz(), sum.zx(), sum.xy());
-}
-
-
-const Foam::boundBox& Foam::solidBody::surfaceVelocities
-(
-    const label patchi,
-    const scalar time
-)
-{
-    bodySurface& its = surfaces_[patchi];
-    if (its.velocityTime == time) return its.velocities;
-
-    scalar least[3] = {}, most[3] = {};
-    withDirections(dual_.nDim(), [&](auto D)
-    {
-        constexpr int d = D.value;
-        const scalar* lm = data_.state.lm.cdata();
-        if (its.nodes.empty()) return;
-        for (int i = 0; i < d; ++i)
-        {
-            least[i] = most[i] = lm[its.nodes[0]*d + i];
-        }
-        for (const label a : its.nodes)
-        {
-            for (int i = 0; i < d; ++i)
-            {
-                least[i] = min(least[i], lm[a*d + i]);
-                most[i] = max(most[i], lm[a*d + i]);
-            }
-        }
-    });
-    const boundBox now(expand(least)/data_.rho, expand(most)/data_.rho);
-    its.velocities = its.velocityTime > -GREAT ? its.lastVelocities : now;
-    its.velocities.min() = min(its.velocities.min(), now.min());
-    its.velocities.max() = max(its.velocities.max(), now.max());
-    its.lastVelocities = now;
-    its.velocityTime = time;
-    return its.velocities;
 }
 
 

@@ -1,0 +1,243 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "deformableBody.H"
+#include "fileError.H"
+#include "regionFiles.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Of F0 and CpInv with six digits: components, and by how much the determinant
+//  is not one
+constexpr Foam::scalar roundedStretch = 1e-6;
+constexpr Foam::scalar roundedDeterminant = 1e-5;
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::deformableBody::deformableBody
+(
+    autoPtr<polyMesh>& mesh,
+    const schemeOptions& options,
+    kinematicsRule kinematics
+)
+:
+    solidBody(mesh, options, kinematics),
+    bodyForces_
+    (
+        bodyForce::readAll
+        (
+            regionFiles::bodyForces(mesh_), dual_, *material_
+        )
+    ),
+    acceleration_
+    (
+        bodyForces_.size() ? dual_.nNodes()*dual_.nDim() : label(0), Zero
+    ),
+    stretchedWaves_
+    (
+        (options_.stretchedWaves || data_.variational)
+     && material_->stretchesWaves()
+    )
+{
+    if (symmetry_.active())
+    {
+        data_.mirrorArea = dual_.edgeArea();
+        symmetry_.projectEdges(dual_, data_.mirrorArea);
+    }
+    if (material_->plastic())
+    {
+        // The old state of a step needs none: it is committed at the end
+        data_.state.makePlastic();
+        if (data_.variational) data_.state.keepFlow();
+        const scalar T0 = material_->initialTemperature();
+        if (T0 > 0) data_.state.makeHeated(T0);
+    }
+    if (stretchedWaves_)
+    {
+        data_.waveFactor.setSize(dual_.nNodes(), scalar(1));
+    }
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::deformableBody::readKinematics
+(
+    const bool hasF,
+    const bool hasDisplacement
+)
+{
+    readDeformation(hasF, hasDisplacement);
+
+    // What a run has written, and what displacements have strained, is at its
+    // yield stress, or beyond it by what the first step flows
+    if (material_->plastic()) readPlasticState(!hasF && !hasDisplacement);
+}
+
+
+void Foam::deformableBody::readPlasticState(const bool undeformed)
+{
+    conservedState& s = data_.state;
+    const label d = dual_.nDim();
+    const label n = dual_.nNodes();
+    const FixedList<label, 3>& dir = dual_.directions();
+    const labelList& point = dual_.nodePoint();
+
+    // Also where this processor has no node of the body
+    fileName CFile;
+    const auto C = readIfPresent<symmTensor>("CpInv", dimless, &CFile);
+    const auto strain = readIfPresent<scalar>("epsilonPEq", dimless);
+    if (material_->initialTemperature() > 0)
+    {
+        fileName file;
+        const auto T = readIfPresent<scalar>("pointT", dimTemperature, &file);
+        for (label a = 0; a < n && T.valid(); ++a)
+        {
+            s.temperature[a] = T().primitiveField()[point[a]];
+            if (!(s.temperature[a] > 0))
+            {
+                FatalFileErrorInFunction(file)
+                    << "Keyword 'internalField': a temperature is "
+                    << s.temperature[a] << " K, it must be positive"
+                    << exit(FatalIOError);
+            }
+        }
+    }
+
+    const label out = d == 2 ? 3 - dir[0] - dir[1] : (dir[0] + 1) % 3;
+    for (label a = 0; a < n; ++a)
+    {
+        if (C.valid())
+        {
+            const symmTensor& given = C().primitiveField()[point[a]];
+            if
+            (
+                !(mag(det(given) - 1) <= roundedDeterminant)
+             || !(given.xx() > 0)
+             || !(given.xx()*given.yy() > sqr(given.xy()))
+            )
+            {
+                FatalFileErrorInFunction(CFile)
+                    << "Keyword 'internalField': CpInv is " << given << " at "
+                    << mesh_.points()[point[a]] << ", with the determinant "
+                    << det(given) << ": it must be positive definite, with the "
+                    << "determinant 1." << nl
+                    << "Give changes of the volume by the field F0"
+                    << exit(FatalIOError);
+            }
+            const tensor full(given);
+            scalar* p = s.Cpi.data() + a*s.strideCpi;
+            for (label i = 0; i < d; ++i)
+            {
+                for (label j = i; j < d; ++j) *p++ = full[3*dir[i] + dir[j]];
+            }
+            if (d < 3) *p = full[4*out];
+        }
+        if (strain.valid())
+        {
+            s.epsilonPEq[a] = strain().primitiveField()[point[a]];
+        }
+    }
+
+    // The file, also where this processor has no node of the body
+    fileName file(CFile);
+    const bool stretched = material_->initial().on();
+    if (stretched) readIfPresent<tensor>("F0", dimless, &file);
+    for (label a = 0; a < n && undeformed && (stretched || C.valid()); ++a)
+    {
+        const Pair<scalar> stress(material_->yieldState(s, a));
+        if
+        (
+            stress.first() - stress.second()
+         <= roundedStretch*3*material_->mu()
+        )
+        {
+            continue;
+        }
+        FatalFileErrorInFunction(file)
+            << "Keyword 'internalField': the stress at the start is beyond the "
+            << "yield stress: that of von Mises (Kirchhoff) is "
+            << stress.first() << " Pa at " << mesh_.points()[point[a]]
+            << ", at most " << stress.second() << " Pa are valid." << nl
+            << "Give less of " << (stretched ? "the stretch F0" : "CpInv - I")
+            << ", or earlier flow by the field epsilonPEq"
+            << exit(FatalIOError);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::deformableBody::timeScale(const bool anew)
+{
+    if (waveSumIsConstant_) return constantTimeScale_;
+
+    constantTimeScale_ = shortestTimeScale(anew);
+    waveSumIsConstant_ = !data_.finiteStrain && !stretchedWaves_;
+    return constantTimeScale_;
+}
+
+
+Foam::scalar Foam::deformableBody::commitPlasticity()
+{
+    return
+        material_->plastic()
+      ? material_->commit(data_.state, ownedVolume_)
+      : 0;
+}
+
+
+std::size_t Foam::deformableBody::bytes() const
+{
+    return
+        solidBody::bytes()
+      + sizeof(scalar)*std::size_t(acceleration_.size());
+}
+
+
+void Foam::deformableBody::report(Ostream& os) const
+{
+    const auto onOff = [](const bool on) { return on ? "on" : "off"; };
+
+    dual_.report(os);
+    os  << "    material " << material_->type()
+        << ", rho " << material_->rho() << " kg/m3";
+    if (massFactor() != 1)
+    {
+        os  << " (" << material_->weightRho() << " times " << massFactor()
+            << ", massScaling)";
+    }
+    os  << ", cp " << material_->cp()
+        << " m/s, cs " << material_->cs() << " m/s" << nl
+        << "    cells " << medianDual::cellTreatmentNames[options_.cells];
+    reportScheme(os);
+    os  << ", gravity " << onOff(hasGravity())
+        << ", body forces";
+    for (const bodyForce& force : bodyForces_)
+    {
+        os  << ' ' << force.name() << " (" << force.type() << ')';
+    }
+    os  << (bodyForces_.empty() ? " off" : "")
+        << ", contact " << onOff(contact_.on())
+        << ", plasticity " << onOff(material_->plastic());
+    if (damping_.valid()) os << ", damping on";
+    if (material_->initial().on()) os << ", initial stretch on";
+    if (material_->plastic())
+    {
+        os  << ", adiabatic heating "
+            << onOff(material_->initialTemperature() > 0);
+    }
+    reportBytes(os);
+}
+
+
+// ************************************************************************* //
