@@ -3,6 +3,7 @@
 import os
 import pty
 import re
+import shutil
 import signal
 import subprocess
 import time
@@ -185,6 +186,36 @@ def test_module_arguments(tmp_path, arguments, variables, code, reason):
     done = execute([str(root/"Allwmake"), *arguments], tmp_path, **variables)
     assert done.returncode == code
     assert reason in done.stdout.splitlines()[-1]
+
+
+def test_a_header_that_moves(tmp_path):
+    """Objects that depend on it cannot be made from where it was: all are made
+    anew. What only changes leaves them."""
+    shutil.copy(root/"Allwmake", tmp_path)
+    shutil.copytree(root/"etc", tmp_path/"etc")
+    header = tmp_path/"src"/"vertexContact"/"one.H"
+    made = header.parent/"Make"/os.environ["WM_OPTIONS"]/"one.o"
+    made.parent.mkdir(parents=True)
+    for folder in "applications", "tests":
+        (tmp_path/folder).mkdir()
+    folders = {f"FOAM_USER_{which}": str(tmp_path/".build")
+               for which in ("LIBBIN", "APPBIN")}
+
+    def isKept():
+        made.parent.mkdir(exist_ok=True)
+        made.touch()
+        execute([str(tmp_path/"Allwmake")], tmp_path,
+                VERTEXCONTACT_DIR=str(tmp_path), **folders)
+        return made.exists()
+
+    header.touch()
+    isKept()
+    assert isKept()
+    header.write_text("// changed")
+    assert isKept()
+    header.rename(header.with_name("other.H"))
+    assert not isKept()
+    assert isKept()
 
 
 # Where Python finds its packages

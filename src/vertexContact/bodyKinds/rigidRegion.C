@@ -107,7 +107,7 @@ void Foam::rigidRegion::makeRigid()
         forAll(compliance, k)
         {
             compliance[k] =
-                    data_.rho*area
+                data_.rho*area
                *rigid_->compliance(reference(patch.cornerNode[k]));
         }
     }
@@ -243,10 +243,6 @@ void Foam::rigidRegion::placeNode
         data_.state.disp[a*d + i] = u[dir[i]];
         data_.state.lm[a*d + i] = lm[dir[i]];
         for (label j = 0; j < d; ++j) F[i*d + j] = R[3*dir[i] + dir[j]];
-    }
-    if (data_.state.strideH && d == 3)
-    {
-        for (label k = 0; k < 9; ++k) data_.state.H[9*a + placeH(k)] = R[k];
     }
 }
 

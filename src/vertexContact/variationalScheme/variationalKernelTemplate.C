@@ -10,7 +10,6 @@
 #include "variationalCorrections.C"
 #include "variationalFluxes.C"
 #include "cornerStates.H"
-#include "vertexKernel.H"
 #include <cmath>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //

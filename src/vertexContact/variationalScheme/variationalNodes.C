@@ -10,7 +10,6 @@ Description
 
 #include "variationalKernelTemplate.H"
 #include "edgeRows.H"
-#include "vertexKernel.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
