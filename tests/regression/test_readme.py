@@ -1,6 +1,6 @@
 """The README and the pages that users read: the tour runs as it stands, links,
-programs and options exist, and the pages of keywords and presets are what the
-solver prints."""
+programs and options exist, the pages of keywords and presets are what the
+solver prints, and what presets cost is what was measured."""
 
 import os
 import re
@@ -9,6 +9,8 @@ import pytest
 
 from vertexContactTests.caseTools import checked, copyTutorials, root
 from vertexContactTests.fieldReferences import TUTORIALS
+from vertexContactTests.trade.cases import CASES
+from vertexContactTests.trade.rows import tradeTable
 
 README = (root/"README.md").read_text()
 TOUR = re.findall(r"(?ms)^```sh\n(.*?)^```$", README)
@@ -122,6 +124,21 @@ def test_presets(tmp_path):
     table = rows(TEXT[REFERENCE/"options.md"])
     first = table.index(head)
     assert table[first:first + len(expected)] == [head, *expected[1:]]
+
+
+def test_what_presets_cost():
+    """Errors and costs of the presets are those of the trade, to two
+    digits."""
+    table = rows(TEXT[REFERENCE/"accuracy.md"].split("## Which preset\n")[1])
+    measured = {(row["case"], row["label"]): row
+                for row in tradeTable().rows.values()}
+    for case, row in zip(CASES.values(), table[1:]):
+        runs = [measured[case.name, preset]
+                for preset in ("fast", "balanced", "accurate", "paper")]
+        assert row[:5] == [case.title, *(
+            f"{100*float(run['error']):.2g} %, "
+            f"{float(run['cost'])/float(runs[1]['cost']):.2g}"
+            for run in runs)]
 
 
 def test_gallery():
