@@ -196,6 +196,27 @@ Foam::scalar Foam::deformableBody::commitPlasticity()
 }
 
 
+void Foam::deformableBody::scaleMass(const scalar factor, const scalar before)
+{
+    if (factor != before)
+    {
+        for (scalar& lm : data_.state.lm) lm *= factor/before;
+    }
+    if (factor == 1) return;
+
+    material_->scaleMass(factor);
+    data_.rho = material_->rho();
+    data_.cp = material_->cp();
+    data_.cs = material_->cs();
+    forAll(corners_, patchi)
+    {
+        if (!corners_.set(patchi)) continue;
+        corners_[patchi].zp = data_.rho*data_.cp;
+        corners_[patchi].zs = data_.rho*data_.cs;
+    }
+}
+
+
 std::size_t Foam::deformableBody::bytes() const
 {
     return

@@ -6,7 +6,6 @@
 
 #include "paperBody.H"
 #include "passTimes.H"
-#include "pointFields.H"
 #include "solidBoundaryCondition.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -26,7 +25,7 @@ Foam::scalar Foam::paperBody::shortestTimeScale(const bool)
     scalar shortest = GREAT;
     for (label a = 0; a < dual_.nNodes(); ++a)
     {
-        shortest = min(shortest, timeScaleOf(a));
+        shortest = min(shortest, paperBody::timeScaleOf(a));
     }
     return shortest;
 }

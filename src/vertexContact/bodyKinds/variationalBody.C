@@ -5,7 +5,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "variationalBody.H"
-#include "pointFields.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -89,13 +88,13 @@ Foam::variationalBody::variationalBody
         (
             data_, *kernel_, *material_, symmetry_, options_, mirrorPatches_
         )
-    ),
-    externalForce_(dual_.nNodes()*dual_.nDim(), Zero),
-    work_(dual_.nNodes()*dual_.nDim(), Zero)
+    )
 {
     // The scheme has them in blocks
     dual_.forgetEdgeArea();
     data_.mirrorArea.clear();
+    externalForce_.setSize(dual_.nNodes()*dual_.nDim(), Zero);
+    work_.setSize(dual_.nNodes()*dual_.nDim(), Zero);
     findSurfaceNodes();
     if (contact_.on()) findCompliances();
     readState();

@@ -61,7 +61,11 @@ void Foam::variationalBody::findCompliances()
 }
 
 
-void Foam::variationalBody::prepare(const scalar time, const bool wavesAnew)
+void Foam::variationalBody::findForces
+(
+    const scalar time,
+    const bool wavesAnew
+)
 {
     nBad_ = scheme_->computeForces(stretchedWaves_ && wavesAnew);
     solveConditions(time);
@@ -142,7 +146,7 @@ void Foam::variationalBody::evaluate
     const bool
 )
 {
-    prepare(time, wavesAnew);
+    findForces(time, wavesAnew);
     addTractions();
     evaluated_ = true;
     reusable_ = true;
@@ -159,8 +163,7 @@ void Foam::variationalBody::evaluate
 
 void Foam::variationalBody::updateContactVelocity()
 {
-    if (!contact_.on()) return;
-    else contact_.updateVelocity(work_);
+    if (contact_.on()) contact_.updateVelocity(work_);
 }
 
 

@@ -75,7 +75,7 @@ void Foam::variationalBody::scaleMass
     const scalar before
 )
 {
-    solidBody::scaleMass(factor, before);
+    deformableBody::scaleMass(factor, before);
     if (factor != 1) scheme_->scaleMass(factor);
 }
 

@@ -78,7 +78,8 @@ Foam::stepRatios::ratios Foam::stepRatios::of
         r.steps.setSize(stable.size());
         forAll(stable, i)
         {
-            label n = min(needed(stable[i]), most);
+            // What is rigid takes the shortest: it has no blocks
+            label n = nodes_[i] > 0 ? min(needed(stable[i]), most) : most;
             while (most % n) ++n;
             r.steps[i] = n;
             r.evaluations += n*nodes_[i];

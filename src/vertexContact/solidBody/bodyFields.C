@@ -61,13 +61,12 @@ void Foam::bodyFields::visitFields(const Use& use) const
         vector::zero, "lm", dimDensity*dimVelocity,
         [&](const label a) { return body_.expand(s.lm.cdata() + a*d); }
     );
-    const scalarField* acceleration = d > 1 ? body_.acceleration() : nullptr;
-    if (acceleration)
+    if (const scalarField* acceleration = body_.acceleration())
     {
         use
         (
             vector::zero, "acceleration", dimAcceleration,
-            [&](const label a)
+            [=](const label a)
             {
                 return body_.expand(acceleration->cdata() + a*d);
             }

@@ -66,7 +66,7 @@ Foam::solidBody::solidBody
     ownMesh_(mesh.ptr()),
     time_(ownMesh_->time()),
     name_(ownMesh_->name()),
-    mesh_(const_cast<polyMesh&>(*ownMesh_)),
+    mesh_(*ownMesh_),
     options_(options),
     dual_(mesh_, options_.cells),
     material_(readMaterial()),
@@ -265,27 +265,6 @@ void Foam::solidBody::setGravity(const vector& g)
     for (label i = 0; i < dual_.nDim(); ++i)
     {
         gravity_[i] = g[dual_.directions()[i]];
-    }
-}
-
-
-void Foam::solidBody::scaleMass(const scalar factor, const scalar before)
-{
-    if (factor != before)
-    {
-        for (scalar& lm : data_.state.lm) lm *= factor/before;
-    }
-    if (factor == 1) return;
-
-    material_->scaleMass(factor);
-    data_.rho = material_->rho();
-    data_.cp = material_->cp();
-    data_.cs = material_->cs();
-    forAll(corners_, patchi)
-    {
-        if (!corners_.set(patchi)) continue;
-        corners_[patchi].zp = data_.rho*data_.cp;
-        corners_[patchi].zs = data_.rho*data_.cs;
     }
 }
 

@@ -75,20 +75,6 @@ Foam::scalarList Foam::energyAccounts::sums() const
 }
 
 
-void Foam::energyAccounts::add
-(
-    solidBody::powers& account,
-    const solidBody::powers& p,
-    const scalar time
-)
-{
-    account.numericalDissipation += time*p.numericalDissipation;
-    account.external += time*p.external;
-    account.contact += time*p.contact;
-    account.damping += time*p.damping;
-}
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::energyAccounts::energyAccounts
@@ -116,6 +102,20 @@ void Foam::energyAccounts::begin()
         const scalar* sum = all.cdata() + nSums*i;
         initial_[i] = sum[0] - sum[1] + sum[2];
     }
+}
+
+
+void Foam::energyAccounts::add
+(
+    solidBody::powers& account,
+    const solidBody::powers& p,
+    const scalar time
+)
+{
+    account.numericalDissipation += time*p.numericalDissipation;
+    account.external += time*p.external;
+    account.contact += time*p.contact;
+    account.damping += time*p.damping;
 }
 
 

@@ -32,13 +32,15 @@ Foam::paperBody& ofPaper(Foam::solidBody& body)
 void Foam::solidSystem::account(const int stage)
 {
     const scalar dt = integrator_.weight(stage)*runTime_.deltaTValue();
-    forAll(bodies_, i)
+    if (accounts_.on())
     {
-        if (!accounts_.on()) break;
-        energyAccounts::add
-        (
-            accounts_[i], ofPaper(bodies_[i]).stagePowers(), dt
-        );
+        forAll(bodies_, i)
+        {
+            energyAccounts::add
+            (
+                accounts_[i], ofPaper(bodies_[i]).stagePowers(), dt
+            );
+        }
     }
     contacts_.accumulate(dt);
 }

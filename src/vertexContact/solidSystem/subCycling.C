@@ -175,9 +175,15 @@ void Foam::subCycling::evaluate
     const auto solveFor = [&](const scalar deltaT)
     {
         const scalarField afters(bodies_.size(), 0.5*last_.shortest);
+        const auto inBlock = [&](const label i)
+        {
+            return
+                !bodies_[i].rigid()
+             && wholeSteps::several(blocks[i], deltaT);
+        };
         forAll(bodies_, i)
         {
-            if (wholeSteps::several(blocks[i], deltaT)) bodies_[i].startBlock();
+            if (inBlock(i)) bodies_[i].startBlock();
         }
         solve
         (
@@ -185,8 +191,7 @@ void Foam::subCycling::evaluate
         );
         forAll(bodies_, i)
         {
-            if (!wholeSteps::several(blocks[i], deltaT)) continue;
-            bodies_[i].putSurfaceBack();
+            if (inBlock(i)) bodies_[i].putSurfaceBack();
         }
     };
     solveFor(last_.shortest);
