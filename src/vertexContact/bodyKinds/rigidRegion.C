@@ -266,7 +266,6 @@ void Foam::rigidRegion::setRates
     const label d = dual_.nDim();
     for (label i = 0; i < d; ++i)
     {
-        data_.W[a*data_.strideW + i] = data_.state.lm[a*d + i]/data_.rho;
         data_.rates[a*data_.strideRates + i] = f[dual_.directions()[i]];
     }
 }

@@ -201,12 +201,14 @@ void Foam::solidBody::findCorners(const label patchi)
     cornerStates& c = corners_[patchi];
     const label d = dual_.nDim();
     const FixedList<label, 3>& dir = dual_.directions();
+    const scalar perRho = 1/data_.rho;
     forAll(c.geometry.cornerNode, k)
     {
         const label a = c.geometry.cornerNode[k];
         const scalar* N = c.geometry.cornerNormal.cdata() + d*k;
-        const scalar* W = data_.W.cdata() + a*data_.strideW;
-        const scalar* P = W + data_.offsetP();
+        const scalar* lm = data_.state.lm.cdata() + a*d;
+        const scalar* P =
+            data_.W.cdata() + a*data_.strideW + data_.offsetP();
 
         const vector area(currentArea(a, N));
         c.stretch[k] = mag(area);
@@ -215,7 +217,7 @@ void Foam::solidBody::findCorners(const label patchi)
         {
             scalar PN = 0;
             for (label j = 0; j < d; ++j) PN += P[j*d + i]*N[j];
-            c.v[k][dir[i]] = W[i];
+            c.v[k][dir[i]] = perRho*lm[i];
             c.t[k][dir[i]] = PN;
         }
         if (data_.waveFactor.size()) c.waveFactor[k] = data_.waveFactor[a];

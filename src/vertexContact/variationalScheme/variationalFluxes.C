@@ -163,7 +163,7 @@ public:
         U_(x.U.data()),
         rates_(d.rates.data()),
         adjoint_(x.adjoint.data()),
-        sW_(D == 2 ? sW2 : d.strideW),
+        sW_(d.strideW),
         halfBeta_(0.5*x.beta),
         epsilon_(x.epsilon),
         moreEpsilon_(x.frontEpsilon - x.epsilon),

@@ -55,10 +55,8 @@ label variationalKernelTemplate<D, finite>::move
         typedef std::int64_t twoCounts __attribute__((vector_size(16)));
         twoCounts good{};
         scalar* U = x.U.data();
-        scalar* W = d.W.data();
         const scalar* damping = d.rates.cdata() + second;
         const index n = d.nNodes();
-        constexpr index sW = sW2;
         for (index a = 0; a < n; ++a)
         {
             const index k = a*D;
@@ -71,7 +69,6 @@ label variationalKernelTemplate<D, finite>::move
             rowAt<2>(disp + k) = u + deltaT*v;
             rowAt<2>(oldRush + k) = rowAt<2>(rush + k);
             rowAt<2>(rush + k) = acceleration;
-            rowAt<2>(W + a*sW) = v;
             rowAt<2>(U + a*sU + atU) = u + deltaT*v;
             rowAt<2>(U + a*sU + atU + D) = v;
             rowAt<2>(U + a*sU + atU + 2*D) = acceleration;
@@ -194,7 +191,7 @@ void variationalKernelTemplate<D, finite>::addPressure
     for (label a = 0; a < d.nNodes(); ++a)
     {
         scalar* W = d.W.data() + a*d.strideW;
-        const scalar more = x.jacobian[a] - W[D];
+        const scalar more = x.jacobian[a] - W[d.offsetSJ()];
         const SolidTensor<D> H =
             cofactor(loadF<D>(d.state.F.cdata(), a));
         for (int i = 0; i < D; ++i)

@@ -33,7 +33,6 @@ inline label variationalKernelTemplate<D, finite>::collectNode
     }
     else
     {
-        scalar* W = d.W.data() + a*d.strideW;
         scalar* U = x.U.data() + a*sU + atU;
         label nBad = 0;
         for (int i = 0; i < D; ++i)
@@ -41,7 +40,7 @@ inline label variationalKernelTemplate<D, finite>::collectNode
             const scalar v = perRho*lm[i];
             nBad += !(mag(v) < VGREAT);
             U[i] = disp[i];
-            U[second + i] = W[i] = v;
+            U[second + i] = v;
             if constexpr (D == 2) U[2*D + i] = x.acceleration[a*D + i];
         }
         return nBad;
@@ -60,7 +59,6 @@ inline label variationalKernelTemplate<D, finite>::collectNode3
 )
 {
     rowAt<8>(x.U.data() + a*sU) = joined(disp, v);
-    storeThree(d.W.data() + a*d.strideW, v);
     const auto good = (v < VGREAT) & (v > -VGREAT);
     return 4 + label(good[0] + good[1] + good[2] + good[3]);
 }
@@ -337,9 +335,7 @@ inline void variationalKernelTemplate<D, finite>::stressNode
     const index a
 )
 {
-    const scalar* P =
-        d.W.cdata() + d.offsetP()
-      + a*(D == 2 ? sW2 : d.strideW);
+    const scalar* P = d.W.cdata() + d.offsetP() + a*d.strideW;
     const scalar perV = x.perV[a];
     scalar* T = x.adjoint.data() + a*D*sA;
     if constexpr (D == 2)

@@ -255,7 +255,7 @@ void Foam::variationalScheme::findStress(const label end)
         (
             data_.state,
             data_.W.data() + data_.offsetP(),
-            data_.nSJ ? data_.W.data() + data_.nDim() : nullptr,
+            data_.nSJ ? data_.W.data() + data_.offsetSJ() : nullptr,
             data_.strideW,
             stressed_,
             end
@@ -394,7 +394,7 @@ void Foam::variationalScheme::smoothPressure()
     {
         forAll(x_.jacobian, a)
         {
-            x_.jacobian[a] = data_.W[a*data_.strideW + dual_.nDim()];
+            x_.jacobian[a] = data_.W[a*data_.strideW + data_.offsetSJ()];
         }
         smoothJacobian();
         kernel_.addPressure(data_, x_);

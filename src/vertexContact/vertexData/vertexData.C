@@ -35,7 +35,12 @@ Foam::vertexData::vertexData
     state(dual.nNodes(), dual.nDim(), kinematics, finiteStrain),
     old(state),
     nSJ(state.solvesJ ? 1 : 0),
-    nW(paperLayout::nW(dual.nDim(), nSJ)),
+    nW
+    (
+        variational
+      ? variationalLayout::nW(dual.nDim(), nSJ)
+      : paperLayout::nW(dual.nDim(), nSJ)
+    ),
     strideW(paddedStride(nW)),
     nG(paperLayout::nG(dual.nDim(), nSJ, reconstruction)),
     strideG(paddedStride(nG)),

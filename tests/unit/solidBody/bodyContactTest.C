@@ -79,7 +79,7 @@ struct touchingBlock
         {
             for (label i = 0; i < 3; ++i)
             {
-                data.W[a*data.strideW + i] = velocity(a)[i];
+                data.state.lm[3*a + i] = rho*velocity(a)[i];
                 data.rates[a*data.strideRates + i] = rate(a)[i];
             }
         }
