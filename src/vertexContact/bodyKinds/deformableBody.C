@@ -23,14 +23,8 @@ constexpr Foam::scalar roundedDeterminant = 1e-5;
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::deformableBody::deformableBody
-(
-    autoPtr<polyMesh>& mesh,
-    const schemeOptions& options,
-    kinematicsRule kinematics
-)
+Foam::deformableBody::deformableBody()
 :
-    solidBody(mesh, options, kinematics),
     bodyForces_
     (
         bodyForce::readAll

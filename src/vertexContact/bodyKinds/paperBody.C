@@ -247,7 +247,7 @@ Foam::paperBody::paperBody
     const schemeOptions& options
 )
 :
-    deformableBody(mesh, options, kinematicsOf),
+    solidBody(mesh, options, kinematicsOf),
     kernel_(vertexKernel::New(data_)),
     boundaryArea_(dual_.nNodes(), Zero)
 {

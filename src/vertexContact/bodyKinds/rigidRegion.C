@@ -507,7 +507,7 @@ void Foam::rigidRegion::startFromRest()
 }
 
 
-Foam::solidBody::forceBalance Foam::rigidRegion::balance()
+Foam::leapfrogBody::forceBalance Foam::rigidRegion::balance()
 {
     const rigidBody::loadBalance its(rigid_->balance());
     forceBalance b;

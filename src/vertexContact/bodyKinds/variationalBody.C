@@ -80,7 +80,7 @@ Foam::variationalBody::variationalBody
     const schemeOptions& options
 )
 :
-    deformableBody(mesh, options, kinematicsOf),
+    solidBody(mesh, options, kinematicsOf),
     kernel_(variationalKernel::New(data_)),
     scheme_
     (

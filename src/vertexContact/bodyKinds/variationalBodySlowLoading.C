@@ -13,20 +13,6 @@ Description
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::variationalBody::findHeld()
-{
-    if (heldBy_.size()) return;
-    heldBy_.setSize(dual_.nNodes(), -1);
-    forAll(held_.nodes(), k) heldBy_[held_.nodes()[k]] = k;
-}
-
-
-void Foam::variationalBody::freePart(const label node, scalar* p) const
-{
-    if (heldBy_[node] >= 0) held_.hold(heldBy_[node], p);
-}
-
-
 Foam::scalar Foam::variationalBody::freeSquare(const scalarField& p) const
 {
     const label d = dual_.nDim();
@@ -35,35 +21,12 @@ Foam::scalar Foam::variationalBody::freeSquare(const scalarField& p) const
     {
         scalar its[3];
         for (label i = 0; i < d; ++i) its[i] = p[a*d + i];
-        freePart(a, its);
+        held_.freePart(a, its);
         scalar square = 0;
         for (label i = 0; i < d; ++i) square += its[i]*its[i];
         sum += ownedVolume_[a]*square;
     }
     return sum;
-}
-
-
-Foam::scalar Foam::variationalBody::dampedVelocity
-(
-    const label node,
-    const label i
-) const
-{
-    // Half a kick, as the leapfrog's
-    const label d = dual_.nDim();
-    const scalar* lm = data_.state.lm.cdata() + node*d;
-    if (!evaluated_ || lastStep_ <= 0) return lm[i]/data_.rho;
-    const scalar half = 0.5*lastStep_;
-    const scalar T = damping_->tanhOf(half);
-    const scalar* rate = data_.rates.cdata() + node*data_.strideRates;
-    scalar change[3];
-    for (label j = 0; j < d; ++j)
-    {
-        change[j] = (half*rate[j] - 2*T*lm[j])/(1 + T);
-    }
-    freePart(node, change);
-    return (lm[i] + change[i])/data_.rho;
 }
 
 
@@ -113,7 +76,7 @@ void Foam::variationalBody::setDamping(const dictionary& dict)
 {
     damping_.reset(new massDamping(dict));
     damping_->setTime(time_.value());
-    findHeld();
+    prepareStop();
 }
 
 
@@ -131,7 +94,7 @@ Foam::scalar Foam::variationalBody::heldKineticEnergy() const
     {
         scalar lm[3], held[3];
         for (label i = 0; i < d; ++i) held[i] = lm[i] = data_.state.lm[a*d + i];
-        freePart(a, lm);
+        held_.freePart(a, lm);
         for (label i = 0; i < d; ++i)
         {
             sum += ownedVolume_[a]*sqr(held[i] - lm[i]);
@@ -147,14 +110,9 @@ void Foam::variationalBody::stop()
     for (label a = 0; a < dual_.nNodes(); ++a)
     {
         scalar* lm = data_.state.lm.data() + a*d;
-        if (heldBy_[a] < 0)
-        {
-            for (label i = 0; i < d; ++i) lm[i] = 0;
-            continue;
-        }
         scalar p[3];
         for (label i = 0; i < d; ++i) p[i] = lm[i];
-        freePart(a, p);
+        held_.freePart(a, p);
         for (label i = 0; i < d; ++i) lm[i] -= p[i];
     }
     scheme_->forget();
@@ -179,7 +137,7 @@ void Foam::variationalBody::startFromRest()
 }
 
 
-Foam::solidBody::forceBalance Foam::variationalBody::balance()
+Foam::leapfrogBody::forceBalance Foam::variationalBody::balance()
 {
     forceBalance b;
 

@@ -93,6 +93,14 @@ Foam::heldNodes::heldNodes
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+void Foam::heldNodes::findPlaces(const label nNodes)
+{
+    if (placeOf_.size() == nNodes) return;
+    placeOf_.setSize(nNodes, -1);
+    forAll(nodes_, k) placeOf_[nodes_[k]] = k;
+}
+
+
 void Foam::heldNodes::impose
 (
     scalar* lm,

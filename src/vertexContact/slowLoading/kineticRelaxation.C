@@ -90,7 +90,7 @@ bool Foam::kineticRelaxation::atPeak(const scalar time, const scalar kinetic)
 
 void Foam::kineticRelaxation::setBalance
 (
-    const solidBody::forceBalance& b,
+    const leapfrogBody::forceBalance& b,
     const scalar held
 )
 {

@@ -7,6 +7,8 @@
 #include "massScaling.H"
 #include "regionSettings.H"
 #include "dictionaryCheck.H"
+#include "bodiesOfKind.H"
+#include "variationalBody.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -32,13 +34,14 @@ scalar readFactor(const dictionary& dict, solidBody& body)
     }
     const scalar step = readNumber(dict, "step", dimTime);
     require(step > 0, dict, "step", step, "positive");
-    if (!body.variational())
+    auto* its = dynamic_cast<variationalBody*>(&body);
+    if (!its)
     {
         FatalIOErrorInFunction(dict)
             << "Keyword 'step' does not go with preset paper. Valid keyword "
             << "for it: factor" << exit(FatalIOError);
     }
-    return max(scalar(1), sqr(step/body.undeformedTimeScale()));
+    return max(scalar(1), sqr(step/its->undeformedTimeScale()));
 }
 
 } // End anonymous namespace
@@ -57,16 +60,17 @@ Foam::massScaling::massScaling
     (
         regionSettings::read(controlDict, "massScaling", bodies, keywords())
     );
+    UPtrList<deformableBody> deform(bodiesOfKind<deformableBody>(bodies));
     scalarField mass(bodies.size(), Zero);
     forAll(bodies, i)
     {
-        if (settings.empty() || bodies[i].rigid()) continue;
+        if (settings.empty() || !deform.set(i)) continue;
         mass[i] = returnReduce(bodies[i].mass(), sumOp<scalar>());
     }
     forAll(bodies, i)
     {
-        solidBody& body = bodies[i];
-        if (body.rigid()) continue;
+        if (!deform.set(i)) continue;
+        deformableBody& body = deform[i];
 
         // Momenta of an earlier run are those of its mass
         const bool scaled = settings.size() && settings[i];

@@ -269,21 +269,6 @@ void Foam::solidBody::setGravity(const vector& g)
 }
 
 
-void Foam::solidBody::leap
-(
-    const scalar time,
-    const scalar deltaT,
-    const bool energy,
-    powers& accounts
-)
-{
-    leap
-    (
-        time, deltaT, 0.5*(lastStep_ + deltaT), deltaT, energy, accounts
-    );
-}
-
-
 void Foam::solidBody::write()
 {
     placeAll();

@@ -4,7 +4,8 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 -------------------------------------------------------------------------------
 Description
-    Nodes whose motion is prescribed: what may be, and which they are.
+    Nodes whose motion is prescribed: what may be, and which they are; and what
+    damping makes of velocities.
 
 \*---------------------------------------------------------------------------*/
 
@@ -31,6 +32,29 @@ constexpr Foam::scalar leaves = 1e-6;
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::solidBody::dampedVelocity
+(
+    const label node,
+    const label i
+) const
+{
+    // Half a kick, as the leapfrog's
+    const label d = dual_.nDim();
+    const scalar* lm = data_.state.lm.cdata() + node*d;
+    if (!evaluated_ || lastStep_ <= 0) return lm[i]/data_.rho;
+    const scalar half = 0.5*lastStep_;
+    const scalar T = damping_->tanhOf(half);
+    const scalar* rate = data_.rates.cdata() + node*data_.strideRates;
+    scalar change[3];
+    for (label j = 0; j < d; ++j)
+    {
+        change[j] = (half*rate[j] - 2*T*lm[j])/(1 + T);
+    }
+    held_.freePart(node, change);
+    return (lm[i] + change[i])/data_.rho;
+}
+
 
 void Foam::solidBody::checkMotions() const
 {

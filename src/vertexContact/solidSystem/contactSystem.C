@@ -38,10 +38,12 @@ const Foam::dictionary& Foam::contactSystem::dictionaries() const
 Foam::contactSystem::contactSystem
 (
     PtrList<solidBody>& bodies,
+    UPtrList<leapfrogBody>& leaping,
     const label iterations
 )
 :
     bodies_(bodies),
+    leaping_(leaping),
     iterations_(iterations),
     oldStatus_(bodies.size()),
     oldSlide_(bodies.size())
@@ -126,7 +128,7 @@ void Foam::contactSystem::solve(const scalar time, const bool firstStage)
     const bool moves = bodies_.size() && bodies_[0].contact().step() > 0;
     for (label i = 1; moves && i < iterations_; ++i)
     {
-        for (solidBody& body : bodies_) body.updateContactVelocity();
+        for (leapfrogBody& body : leaping_) body.updateContactVelocity();
         for (contactInterface& contact : interfaces_)
         {
             contact.correct(firstStage);

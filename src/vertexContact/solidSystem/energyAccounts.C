@@ -59,9 +59,12 @@ Foam::scalarList Foam::energyAccounts::sums() const
         // To the time of the state, half a step after the last of the leapfrog
         const solidBody& body = bodies_[i];
         solidBody::powers account(accounts_[i]);
-        if (on_ && leapfrog_)
+        if (on_ && leaping_.size())
         {
-            add(account, body.presentPowers(), 0.5*body.lastStep());
+            add
+            (
+                account, leaping_[i].presentPowers(), 0.5*body.lastStep()
+            );
         }
         scalar* sum = all.data() + nSums*i;
         *sum++ = body.kineticEnergy();
@@ -80,11 +83,11 @@ Foam::scalarList Foam::energyAccounts::sums() const
 Foam::energyAccounts::energyAccounts
 (
     const PtrList<solidBody>& bodies,
-    const bool leapfrog
+    const UPtrList<leapfrogBody>& leaping
 )
 :
     bodies_(bodies),
-    leapfrog_(leapfrog),
+    leaping_(leaping),
     accounts_(bodies.size()),
     old_(bodies.size()),
     initial_(bodies.size(), scalar(0))
@@ -121,15 +124,15 @@ void Foam::energyAccounts::add
 
 void Foam::energyAccounts::addStop(const scalar sign)
 {
-    forAll(bodies_, i)
+    forAll(leaping_, i)
     {
+        const leapfrogBody& body = leaping_[i];
         add
         (
-            accounts_[i], bodies_[i].presentPowers(),
-            sign*0.5*bodies_[i].lastStep()
+            accounts_[i], body.presentPowers(), sign*0.5*body.lastStep()
         );
         accounts_[i].relaxation +=
-            sign*(bodies_[i].kineticEnergy() - bodies_[i].swing());
+            sign*(body.kineticEnergy() - body.swing());
     }
 }
 

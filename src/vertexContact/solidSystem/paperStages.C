@@ -13,20 +13,6 @@ Description
 #include "nodeMessage.H"
 #include "paperBody.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace
-{
-
-//- With these integrators all bodies have the paper's scheme (systemChecks)
-Foam::paperBody& ofPaper(Foam::solidBody& body)
-{
-    return dynamic_cast<Foam::paperBody&>(body);
-}
-
-} // End anonymous namespace
-
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::solidSystem::account(const int stage)
@@ -36,10 +22,7 @@ void Foam::solidSystem::account(const int stage)
     {
         forAll(bodies_, i)
         {
-            energyAccounts::add
-            (
-                accounts_[i], ofPaper(bodies_[i]).stagePowers(), dt
-            );
+            energyAccounts::add(accounts_[i], staged_[i].stagePowers(), dt);
         }
     }
     contacts_.accumulate(dt);
@@ -53,7 +36,7 @@ void Foam::solidSystem::solveBoundaries
     const bool firstStage
 )
 {
-    for (solidBody& body : bodies_) ofPaper(body).prepare(time, moved);
+    for (paperBody& body : staged_) body.prepare(time, moved);
     contacts_.solve(time, firstStage);
 }
 
@@ -61,10 +44,10 @@ void Foam::solidSystem::solveBoundaries
 void Foam::solidSystem::evaluateStage(const scalar time, const int stage)
 {
     solveBoundaries(time, true, stage == 0);
-    for (solidBody& body : bodies_)
+    for (paperBody& body : staged_)
     {
-        ofPaper(body).computeFluxes(accounts_.on());
-        ofPaper(body).finishRates(time, accounts_.on());
+        body.computeFluxes(accounts_.on());
+        body.finishRates(time, accounts_.on());
     }
 }
 
@@ -73,9 +56,9 @@ void Foam::solidSystem::advance(const int stage, const updatedPart part)
 {
     const scalar deltaT = runTime_.deltaTValue();
     label nBad = 0;
-    for (solidBody& body : bodies_)
+    for (paperBody& body : staged_)
     {
-        nBad += ofPaper(body).advance
+        nBad += body.advance
         (
             deltaT, integrator_.oldWeight(stage),
             integrator_.instant(stage + 1)*deltaT, part
@@ -90,11 +73,11 @@ void Foam::solidSystem::advance(const int stage, const updatedPart part)
         (
             bodies_, [](const solidBody& body) { return body.findBadNode(); }
         );
-        for (solidBody& body : bodies_)
+        for (paperBody& body : staged_)
         {
             part == updatedPart::all
           ? body.restoreOld()
-          : ofPaper(body).restoreMomentum();
+          : body.restoreMomentum();
         }
     }
 }
@@ -104,9 +87,9 @@ void Foam::solidSystem::complete(const int stage, const updatedPart part)
 {
     const scalar deltaT = runTime_.deltaTValue();
     label nBad = 0;
-    for (solidBody& body : bodies_)
+    for (paperBody& body : staged_)
     {
-        nBad += ofPaper(body).advance
+        nBad += body.advance
         (
             deltaT, integrator_.oldWeight(stage), deltaT, part
         );
@@ -137,7 +120,7 @@ void Foam::solidSystem::stages(const scalar time)
     {
         advance(last, updatedPart::momentum);
         solveBoundaries(time, false, false);
-        for (solidBody& body : bodies_) ofPaper(body).computeGradients();
+        for (paperBody& body : staged_) body.computeGradients();
         complete(last, updatedPart::kinematics);
     }
     else

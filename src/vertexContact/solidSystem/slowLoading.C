@@ -10,6 +10,7 @@ Description
 
 #include "solidSystem.H"
 #include "regionSettings.H"
+#include "variationalBody.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -39,7 +40,8 @@ void Foam::solidSystem::readSlowLoading(const dictionary& record)
     }
     forAll(settings, i)
     {
-        if (settings[i]) bodies_[i].setDamping(*settings[i]);
+        if (!settings[i]) continue;
+        dynamic_cast<variationalBody&>(bodies_[i]).setDamping(*settings[i]);
     }
 
     if (!relaxes) return;
@@ -52,14 +54,17 @@ void Foam::solidSystem::readSlowLoading(const dictionary& record)
     }
     relaxation_.reset(new kineticRelaxation(control));
     relaxation_->read(record.subOrEmptyDict("relaxation"));
-    for (solidBody& body : bodies_) body.prepareStop();
+    for (leapfrogBody& body : leaping_) body.prepareStop();
 }
 
 
 void Foam::solidSystem::relax(const scalar time)
 {
     scalar kinetic = 0;
-    for (const solidBody& body : bodies_) kinetic += body.freeKineticEnergy();
+    for (const leapfrogBody& body : leaping_)
+    {
+        kinetic += body.freeKineticEnergy();
+    }
     reduce(kinetic, sumOp<scalar>());
     if (!relaxation_->atPeak(time, kinetic)) return;
 
@@ -70,21 +75,21 @@ void Foam::solidSystem::relax(const scalar time)
         if (accounts_.on()) accounts_.addStop(sign);
     };
     book(1);
-    for (solidBody& body : bodies_) body.stop();
+    for (leapfrogBody& body : leaping_) body.stop();
     evaluateForces(time, false);
 
-    solidBody::forceBalance all;
+    leapfrogBody::forceBalance all;
     scalar held = 0;
-    for (solidBody& body : bodies_)
+    for (leapfrogBody& body : leaping_)
     {
-        const solidBody::forceBalance its(body.balance());
+        const leapfrogBody::forceBalance its(body.balance());
         all.unbalanced += its.unbalanced;
         all.loads += its.loads;
         held += body.heldKineticEnergy();
     }
     relaxation_->setBalance(all, returnReduce(held, sumOp<scalar>()));
 
-    for (solidBody& body : bodies_) body.startFromRest();
+    for (leapfrogBody& body : leaping_) body.startFromRest();
     book(-1);
 }
 

@@ -30,7 +30,7 @@ void Foam::solidSystem::evaluateForces(const scalar time, const bool moved)
     }
 
     // Contact is solved with the velocities that all other forces make
-    for (solidBody& body : bodies_)
+    for (leapfrogBody& body : leaping_)
     {
         body.evaluate(time, choice_.due(), accounts_.on());
     }
@@ -58,7 +58,7 @@ void Foam::solidSystem::evaluateForces(const scalar time, const bool moved)
     {
         for (label i = 0; i < 2; ++i) solve(0.5*choice_.first());
     }
-    for (solidBody& body : bodies_)
+    for (leapfrogBody& body : leaping_)
     {
         body.addContactForces();
     }
@@ -76,11 +76,11 @@ void Foam::solidSystem::leap(const scalar time)
     else
     {
         const scalar middle = 0.5*(bodies_[0].lastStep() + deltaT);
-        forAll(bodies_, i)
+        forAll(leaping_, i)
         {
             passTimes::timed(passTimes::update, [&]
             {
-                bodies_[i].leap
+                leaping_[i].leap
                 (
                     startOfStep_, deltaT, accounts_.on(), accounts_[i]
                 );
@@ -182,10 +182,7 @@ void Foam::solidSystem::startStep()
     }
     if (!evaluated)
     {
-        for (solidBody& body : bodies_)
-        {
-            if (integrator_.leapfrog()) body.keepOld();
-        }
+        for (leapfrogBody& body : leaping_) body.keepOld();
         evaluate(startOfStep_, 0);
     }
 

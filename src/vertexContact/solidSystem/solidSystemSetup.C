@@ -9,6 +9,8 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "solidSystem.H"
+#include "bodiesOfKind.H"
+#include "paperBody.H"
 #include "regionFiles.H"
 #include "systemChecks.H"
 #include "dictionaryCheck.H"
@@ -139,14 +141,28 @@ Foam::solidSystem::solidSystem(Time& runTime)
     integrator_(readIntegrator(runTime.controlDict(), preset_)),
     record_(readRecord()),
     bodies_(readBodies()),
+    leaping_
+    (
+        integrator_.leapfrog()
+      ? bodiesOfKind<leapfrogBody>(bodies_)
+      : UPtrList<leapfrogBody>()
+    ),
+    staged_
+    (
+        integrator_.leapfrog()
+      ? UPtrList<paperBody>()
+      : bodiesOfKind<paperBody>(bodies_)
+    ),
     contacts_
     (
-        bodies_, integrator_.leapfrog() ? control_.contactIterations() : 1
+        bodies_, leaping_,
+        integrator_.leapfrog() ? control_.contactIterations() : 1
     ),
-    accounts_(bodies_, integrator_.leapfrog()),
+    accounts_(bodies_, leaping_),
     subCycling_
     (
-        runTime.controlDict(), control_, bodies_, contacts_, accounts_
+        runTime.controlDict(), control_, bodies_, leaping_, contacts_,
+        accounts_
     ),
     choice_
     (

@@ -5,7 +5,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "subCycling.H"
+#include "bodiesOfKind.H"
 #include "passTimes.H"
+#include "variationalBody.H"
 #include "wholeSteps.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -35,7 +37,7 @@ void Foam::subCycling::solve
             {
                 bodies_[i].contact().setStep(deltaT);
             }
-            if (isLong) bodies_[i].placeSurface(afters[i]);
+            if (isLong) deforming_[i].placeSurface(afters[i]);
             bodies_[i].contact().clearAll();
         }
         contacts_.solve(time, true);
@@ -50,12 +52,15 @@ Foam::subCycling::subCycling
     const dictionary& controlDict,
     const stepControl& control,
     PtrList<solidBody>& bodies,
+    UPtrList<leapfrogBody>& leaping,
     contactSystem& contacts,
     energyAccounts& accounts
 )
 :
     control_(control),
     bodies_(bodies),
+    leaping_(leaping),
+    deforming_(bodiesOfKind<variationalBody>(bodies)),
     contacts_(contacts),
     accounts_(accounts),
     ratios_(controlDict, countNodes(bodies))
@@ -160,13 +165,13 @@ void Foam::subCycling::evaluate
     forAll(bodies_, i)
     {
         blocks[i] = bodies_[i].lastStep();
-        bodies_[i].evaluate
+        leaping_[i].evaluate
         (
             time - 0.5*(last_.whole - blocks[i]), wavesAnew, accounts_.on()
         );
     }
     if (moved) contacts_.pairMoved(time);
-    for (solidBody& body : bodies_)
+    for (leapfrogBody& body : leaping_)
     {
         body.keepFreeRates();
     }
@@ -178,12 +183,12 @@ void Foam::subCycling::evaluate
         const auto inBlock = [&](const label i)
         {
             return
-                !bodies_[i].rigid()
+                deforming_.set(i)
              && wholeSteps::several(blocks[i], deltaT);
         };
         forAll(bodies_, i)
         {
-            if (inBlock(i)) bodies_[i].startBlock();
+            if (inBlock(i)) deforming_[i].startBlock();
         }
         solve
         (
@@ -191,7 +196,7 @@ void Foam::subCycling::evaluate
         );
         forAll(bodies_, i)
         {
-            if (inBlock(i)) bodies_[i].putSurfaceBack();
+            if (inBlock(i)) deforming_[i].putSurfaceBack();
         }
     };
     solveFor(last_.shortest);
@@ -208,7 +213,7 @@ void Foam::subCycling::evaluate
             solveFor(0.5*step/r.most);
         }
     }
-    for (solidBody& body : bodies_)
+    for (leapfrogBody& body : leaping_)
     {
         body.addContactForces();
     }
@@ -236,8 +241,8 @@ Foam::label Foam::subCycling::leap
         length[i] = most/steps_.steps[i];
         blocks[i] = length[i]*kick;
         step[i] = steps_.steps[i] == 1 ? deltaT : blocks[i];
-        bodies_[i].keepStart();
-        bodies_[i].restoreFreeRates();
+        leaping_[i].keepStart();
+        leaping_[i].restoreFreeRates();
     }
 
     // From the instant of the momentum at the start of the common step; the
@@ -252,7 +257,7 @@ Foam::label Foam::subCycling::leap
     {
         passTimes::timed(passTimes::update, [&]
         {
-            bodies_[i].leap
+            leaping_[i].leap
             (
                 timeOf(i, j),
                 blocks[i] + 0.5*(step[i] - bodies_[i].lastStep()),
@@ -270,10 +275,10 @@ Foam::label Foam::subCycling::leap
             const bool begins = j % length[i] == 0;
             if (begins && j)
             {
-                bodies_[i].evaluate(timeOf(i, j), false, accounts_.on());
+                leaping_[i].evaluate(timeOf(i, j), false, accounts_.on());
                 nBad += bodies_[i].nBad();
             }
-            if (begins && length[i] > 1) bodies_[i].startBlock();
+            if (begins && length[i] > 1) deforming_[i].startBlock();
             if (length[i] > 1) afters[i] = ahead + (j % length[i])*kick;
         }
         if (j)
@@ -300,11 +305,11 @@ Foam::label Foam::subCycling::leap
         {
             if (length[i] > 1)
             {
-                bodies_[i].addContactImpulse(kick);
+                deforming_[i].addContactImpulse(kick);
             }
             else
             {
-                bodies_[i].addContactForces();
+                leaping_[i].addContactForces();
                 leapOver(i, j);
             }
         }
@@ -316,7 +321,7 @@ Foam::label Foam::subCycling::leap
         {
             if (length[i] > 1 && (j + 1) % length[i] == 0)
             {
-                bodies_[i].endBlock();
+                deforming_[i].endBlock();
                 leapOver(i, j + 1 - length[i]);
             }
         }
