@@ -307,12 +307,16 @@ def reference(case, rows):
             f"{percent(row['force'])}, energy {percent(row['energy'])}).")
 
 
+# Where the rows of trade.csv and peers.csv were measured, but for CalculiX
+MACHINE = "an Intel Xeon with AVX-512"
+
 PEERS = f"""## Against plain finite elements
 
 [`plainFEM`](peers/plainFEM/README.md) is what textbooks have: hexahedra and quadrangles with full integration and mean dilatation, central differences,
 kinematic contact with the plane of symmetry. It has no search, and of two equal bodies it computes one; its time counts twice then. *Plain FEM* takes one
 element after the other, as such programs do. *Eight at once* is the same program with eight elements in the lanes of a vector, which only blocks
-of equal elements allow: as fast as we could make it. Its bars have matching meshes; `conforming` are ours with the same.
+of equal elements allow: as fast as we could make it. Its bars have matching meshes; `conforming` are ours with the same. All ran on one core of
+{MACHINE}; on another machine they compare otherwise.
 
 How far the references of both programs are apart, that of `plainFEM` relative to ours, and a coarser mesh of `plainFEM` relative to its own:
 """
@@ -348,8 +352,8 @@ def writePage(rows, compared):
             "## Against the scheme before\n",
             "Until November 2026 `balanced` was the paper's scheme with "
             "corrections that are gone (commit f6e7214, measured once, "
-            "against the present references, on the same machine). As good: but "
-            "for a fiftieth.\n",
+            "against the present references; on another machine, so that costs, "
+            "in the same unit, compare roughly). As good: but for a fiftieth.\n",
             before(tables),
             "## What an error costs\n",
             "The cheapest of all runs, on any mesh, with at most that error:"
