@@ -40,6 +40,7 @@ void Foam::solidSystem::readSlowLoading(const dictionary& record)
     }
     forAll(settings, i)
     {
+        // Those that have some deform, by the leapfrog: see above
         if (!settings[i]) continue;
         dynamic_cast<variationalBody&>(bodies_[i]).setDamping(*settings[i]);
     }
