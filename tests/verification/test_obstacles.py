@@ -278,3 +278,20 @@ def test_far_away(tmp_path, figures):
         line = next(x for x in log.splitlines() if x.startswith("Contact:"))
         f.equal("pairings of 3 seconds, but that of the write",
                 int(line.split(" in ")[1].split()[0]), 0)
+
+
+def test_beside_an_open_obstacle(tmp_path, figures):
+    """A block that lies on a floor, four metres beside a plate that is higher:
+    nothing has gone through that."""
+    case = SmallCase(
+        tmp_path, Body((4, 4), name="block", start=(0, 0.001, 0),
+                       sides={"bottom": "contact"}), 3,
+        {**wall(), "shelf": {
+            "side": ("block", "bottom"), "obstacle": {
+                "type": "searchablePlate", "origin": (5, 2, -1),
+                "span": (1, 0, 3)}}}, gravity=(0, -0.01, 0), preset=DEFAULT,
+        control={"maxCo": 0.9, "writeInterval": 0.5})
+    code, log = case.attempt()
+    assert code == 0, log[-3000:]
+    with figures("beside a plate") as f:
+        f.atMost("displacement / height", largest(case.at("pointD")), 0.02)

@@ -625,3 +625,33 @@ def test_all_rigid_needs_a_step(tmp_path):
     body = Body(cells=(1, 1, 1), material=rigid())
     code, out = SmallCase(tmp_path, body, 1, preset=DEFAULT).attempt()
     assert code != 0 and "adjustTimeStep" in out
+
+
+@pytest.mark.parametrize("angle", (30, 60, 90))
+def test_sector_between_mirrors(tmp_path, figures, angle):
+    """Two mirrors, at right angles or not, leave no direction of the plane."""
+    def sector(X):
+        phi = np.radians(angle)*X[:, 1]
+        return np.column_stack((X[:, 0]*np.cos(phi), X[:, 0]*np.sin(phi),
+                                X[:, 2]))
+
+    case = SmallCase(
+        tmp_path, Body((4, 8), start=(1, 0, 0), moved=sector, sides={
+            "bottom": "symmetryPlane", "top": "symmetryPlane"},
+            material={"type": "rigid", "rho": 1}), 1,
+        gravity=(-1, -0.3, 0), control={**FIXED, "deltaT": 0.01},
+        preset=DEFAULT).run()
+    with figures(f"rigid sector of {angle} degrees") as f:
+        f.atMost("displacement", largest(case.at("pointD")), 1e-12)
+
+
+def test_sub_cycling_of_rigid_regions_alone(tmp_path):
+    """Nothing is evaluated: the report at the end says so."""
+    case = SmallCase(
+        tmp_path, [Body((2, 2), name=name, start=(x, 0, 0),
+                        material={"type": "rigid", "rho": 1})
+                   for name, x in (("a", 0), ("b", 1.05))], 0.1,
+        control={**FIXED, "deltaT": 0.01, "subCycling": "yes"},
+        preset=DEFAULT)
+    code, log = case.attempt()
+    assert code == 0 and "evaluations of nodes" in log, log[-3000:]

@@ -82,6 +82,7 @@ def test_impact_of_the_exact_solution(tmp_path, figures):
             / impulse(t[-1]))
     total = own.momentumOf()[:, 0]
     done, ofOne = evaluations(own)
+    courant = [float(x) for x in re.findall(r"  Co (\S+)", own.output)]
     e, e1 = own.energies, one.energies
     start = e["total:kinetic"][0]
     with figures("bars 1:20, 50 to 200 cells") as f:
@@ -92,6 +93,8 @@ def test_impact_of_the_exact_solution(tmp_path, figures):
         f.atMost("momentum, largest change",
                  max(abs(total - total[0]))/total[0], 1e-14)
         f.atLeast("evaluations of one step / own", ofOne/done, 5)
+        f.within("largest Courant number of the log / maxCo",
+                 max(courant)/0.9, 0.97, 0.03 + 1e-9)
         f.within("kinetic energy of the stiff bar / one step",
                  e["stiff:kinetic"][-1]/e1["stiff:kinetic"][-1], 1, 0.01)
         f.atMost("rise of the energy", rise(own.keptEnergy, start), 0.01)

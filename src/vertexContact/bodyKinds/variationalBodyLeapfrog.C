@@ -52,8 +52,11 @@ void Foam::variationalBody::findCompliances()
     {
         scalar along = 0;
         for (label i = 0; i < d; ++i) along += A[i]*n[i];
-        scalarField& perVolume = surfaces_[patch.patchIndex].compliance;
+        bodySurface& its = surfaces_[patch.patchIndex];
+        scalarField& perVolume = its.compliance;
         perVolume.setSize(patch.nCorners());
+        its.nodeArea.setSize(patch.nCorners()*d);
+        for (label i = 0; i < d; ++i) its.nodeArea[k*d + i] = A[i];
         perVolume[k] =
             max(along, patch.cornerArea[k])
            /dual_.nodeVolume()[patch.cornerNode[k]];

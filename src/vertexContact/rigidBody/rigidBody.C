@@ -121,8 +121,12 @@ void Foam::rigidBody::readFreedoms
     // Mirrors stay where they are
     for (const vector& n : mirrors)
     {
-        const tensor P(tensor::I - n*n);
-        translation_ = (P & translation_ & P);
+        // What is free so far, and along the mirror
+        const vector across(translation_ & n);
+        if (mag(across) > SMALL)
+        {
+            translation_ -= across*across/magSqr(across);
+        }
         if (rotation_ == freedom::all)
         {
             rotation_ = freedom::axis;

@@ -292,7 +292,10 @@ void Foam::contactSystem::restoreStart()
     forAll(bodies_, i)
     {
         bodies_[i].contact().status = oldStatus_[i];
-        bodies_[i].contact().slide.ways() = oldSlide_[i];
+        // What began to remember in this step had nothing to remember
+        vectorField& ways = bodies_[i].contact().slide.ways();
+        if (oldSlide_[i].size()) ways = oldSlide_[i];
+        else ways = Zero;
     }
     for (contactInterface& contact : interfaces_)
     {

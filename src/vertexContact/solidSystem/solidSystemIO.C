@@ -29,7 +29,12 @@ void Foam::solidSystem::log()
 
     os  << "Step " << done_.steps << "  Time " << runTime_.value()
         << " s  deltaT " << runTime_.deltaTValue() << " s  Co "
-        << runTime_.deltaTValue()/choice_.limit();
+        <<
+        (
+            subCycling_.active()
+          ? subCycling_.Courant()
+          : runTime_.deltaTValue()/choice_.limit()
+        );
     if (accounts_.on())
     {
         const List<bodyEnergies> all(computeEnergies());

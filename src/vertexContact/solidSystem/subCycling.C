@@ -142,6 +142,17 @@ Foam::scalar Foam::subCycling::wantedStep(recentLeast& longest)
 }
 
 
+Foam::scalar Foam::subCycling::Courant() const
+{
+    scalar most = 0;
+    forAll(bounds_.now, i)
+    {
+        most = max(most, last_.whole/(steps_.steps[i]*bounds_.now[i]));
+    }
+    return most;
+}
+
+
 void Foam::subCycling::divide(const scalar deltaT)
 {
     steps_ = ratios_.of
@@ -381,7 +392,7 @@ void Foam::subCycling::report
             os  << ' ' << bodies_[i].name() << ' ' << steps_.steps[i];
         }
         os  << " in " << last_.whole << " s; so far " << cost_.own
-            << " evaluations of nodes, " << cost_.own/cost_.one
+            << " evaluations of nodes, " << cost_.own/max(cost_.one, VSMALL)
             << " of the " << cost_.one << " with one step for all"
             << nl;
         return;

@@ -174,6 +174,36 @@ Foam::point Foam::obstacleInterface::cornerOf(const plane& its) const
 }
 
 
+Foam::scalar Foam::obstacleInterface::complianceAlong
+(
+    const label k,
+    const vector& n,
+    const scalar cosine,
+    const scalar stretch,
+    scalar& area
+) const
+{
+    const solidBody& body = *side_.body;
+    const scalar alone = body.surfaceCompliance(side_.patchi, k);
+    const scalarField& nodeArea = body.surface(side_.patchi).nodeArea;
+    if (nodeArea.empty()) return alone;
+
+    // That was found along the corner's own normal
+    const label d = body.dual().nDim();
+    const dualPatch& patch = body.dual().patches()[side_.patchi];
+    const scalar* all = nodeArea.cdata() + k*d;
+    const scalar* own = patch.cornerNormal.cdata() + k*d;
+    scalar along = 0;
+    for (label i = 0; i < d; ++i) along += all[i]*own[i];
+    along = max(along, area);
+    area *= cosine;
+    return
+        alone
+       *max((body.currentArea(patch.cornerNode[k], all) & n)/stretch, area)
+       /along;
+}
+
+
 void Foam::obstacleInterface::solveForces(const bool firstStage)
 {
     solidBody& body = *side_.body;
@@ -202,10 +232,16 @@ void Foam::obstacleInterface::solveForces(const bool firstStage)
         p.area = M.geometry.cornerArea[k];
         setObstacle(i, p);
 
-        const contactLayer layer(body.surfaceCompliance(side_.patchi, k));
+        const bool facing = (area & p.n) > leastFacing*stretch;
+        const contactLayer layer
+        (
+            facing
+          ? complianceAlong(k, p.n, (area & p.n)/stretch, stretch, p.area)
+          : body.surfaceCompliance(side_.patchi, k)
+        );
         layer.set
         (
-            p, stretch, (area & p.n) > leastFacing*stretch, law().bonded(),
+            p, stretch, facing, law().bonded(),
             sticks
           ? acousticRiemann::tangential(body.slide(node), p.n)
           : vector::zero,
@@ -410,10 +446,13 @@ bool Foam::obstacleInterface::update(const scalar time, const bool)
         {
             const scalar gap = (x[k] - hits[k].hitPoint()) & normals[k];
             nearest = min(nearest, mag(x[k] - hits[k].hitPoint()));
+            // Beside the rim of an open surface is not inside
+            const scalar beside =
+                mag(x[k] - hits[k].hitPoint() - gap*normals[k]);
             lose
             (
-                contact.touches(patch.cornerNode[k]), side_, k, gap, depth[k],
-                depth[k]
+                contact.touches(patch.cornerNode[k]) && beside <= depth[k],
+                side_, k, gap, depth[k], depth[k]
             );
             if
             (

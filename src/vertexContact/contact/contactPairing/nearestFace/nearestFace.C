@@ -444,13 +444,15 @@ void Foam::contactPairings::nearestFace::follow
 
     // Pairs at up to the least width are there; others are further away
     const scalar most = surfaceMotion::largestDistance*leastWidth_;
-    // With the paper's scheme a couple of the gap comes of all motion
-    const bool near = active() && apart <= search;
+    // With the paper's scheme a couple of the gap comes of all motion; and
+    // where no faces are opposite yet all motion may bring edges past each
+    // other
+    const bool near = apart <= search;
     const scalar close = updateDistance_*leastWidth_;
     const scalar any =
-        apart > search ? 0.5*(apart - search) + most
-      : near && !minus_.body->variational() ? close
-      : most;
+        !near ? 0.5*(apart - search) + most
+      : active() && minus_.body->variational() ? most
+      : close;
     const scalar along = near ? close : any;
 
     // What both sides have in common changes nothing between them

@@ -1,0 +1,76 @@
+"""Edges and vertices of bodies in contact: contact without friction with what
+stands still does no work, and takes energy or keeps it."""
+
+import numpy as np
+import pytest
+
+from vertexContactTests.caseTools import DEFAULT
+from vertexContactTests.smallCases import (FLOOR, SIDES, Body, SmallCase,
+                                           largest)
+
+
+def onto(direction):
+    """Rotation that makes a direction the vertical one."""
+    a = np.array(direction)/np.linalg.norm(direction)
+    b = np.array((0, 1, 0))
+    v, c = np.cross(a, b), a @ b
+    K = np.array(((0, -v[2], v[1]), (v[2], 0, -v[0]), (-v[1], v[0], 0)))
+    return np.eye(3) + K + K @ K/(1 + c)
+
+
+def sidesOf(nDim):
+    return {side: "contact" for side in SIDES if SIDES[side][0] < nDim}
+
+
+def finished(case):
+    code, log = case.attempt()
+    assert code == 0, log[-3000:]
+    return case
+
+
+@pytest.mark.parametrize("nDim, direction, speed", (
+    (2, (1, 1, 0), 0.05), (3, (1, 1, 0), 0.05), (3, (1, 1, 1), 0.01),
+    (3, (1, 1, 1), 0.2)), ids=("corner", "edge", "vertex", "fast vertex"))
+def test_falls_on_its(tmp_path, figures, nDim, direction, speed):
+    """A block on a plane: what pushes at a node is what its whole surface
+    gives along the normal of the plane."""
+    R = onto(direction)
+    case = finished(SmallCase(tmp_path, Body(
+        (4,)*nDim, moved=lambda X: X @ R.T, sides=sidesOf(nDim),
+        displacement=lambda X: 0*X + np.array((0, 0.005, 0)),
+        velocity=(0, -speed, 0)), 4,
+        {"floor": {"side": '(body ".*")', "obstacle": FLOOR}},
+        control={"maxCo": 0.9}, preset=DEFAULT))
+    E = case.keptEnergy
+    p = case.momentumOf("body")[:, 1]
+    with figures(f"{nDim}D, falls with {speed} on {direction}") as f:
+        f.atMost("largest energy / initial", E.max()/E[0], 1 + 1e-6)
+        f.atMost("work of contact / initial energy",
+                 case.energies["total:contactWork"].max()/E[0], 1e-6)
+        f.atLeast("change of the momentum / initial", (p.max() - p[0])/-p[0],
+                    0.4)
+
+
+@pytest.mark.parametrize("cells, speeds, apart", (
+    (4, (0.02, 0.02), 0), (4, (0.02, 0.02), 0.05), (4, (0.03, 0.02), 0),
+    (8, (0.02, 0.02), 0), (4, (0.02, 0), -0.01)))
+def test_corner_meets_corner(tmp_path, figures, cells, speeds, apart):
+    """Blocks that no faces of are opposite before they are inside each other.
+    They were found when they were half of a cell inside, and left with seven
+    times their energy."""
+    sides = sidesOf(2)
+    blocks = (
+        Body((cells, cells), name="a", start=(1, 0, 0),
+             velocity=(0, speeds[1], 0), sides=sides),
+        Body((cells, cells), name="b", start=(0, 1 + apart, 0),
+             velocity=(speeds[0], 0, 0), sides=sides))
+    case = finished(SmallCase(
+        tmp_path, blocks, 10, {"all": {"surfaces": "all", "self": "no"}},
+        control={"maxCo": 0.9, "writeInterval": 10}, preset=DEFAULT))
+    E = case.keptEnergy
+    p = case.momentumOf("a")
+    with figures(f"corners of {cells} cells, {speeds}, {apart} apart") as f:
+        f.atMost("largest energy / initial", E.max()/E[0], 1.04)
+        f.atLeast("change of the momentum / initial",
+                  largest(p - p[0])/largest(p[0] + case.momentumOf("b")[0]),
+                  0.01)
