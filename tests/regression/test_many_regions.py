@@ -182,12 +182,12 @@ def test_shared_patches_are_checked(tmp_path):
     assert "zeroGradient" in message and "0/pointU" in message
 
 
-def place(case, ranks, method="manual"):
+def place(case, ranks, method="manual", more=None):
     """decomposePar's dictionaries; what placeRegions does and says."""
     for region in ("", *NAMES):
         case.dictionary(f"system/{region}/decomposeParDict", {
             "numberOfSubdomains": ranks, "method": method,
-            "manualCoeffs": {"dataFile": "ranks"}})
+            "manualCoeffs": {"dataFile": "ranks"}, **(more or {})})
     return execute(["placeRegions"], case.path)
 
 
@@ -228,3 +228,20 @@ def test_whole_regions_on_ranks(tmp_path, figures):
 def test_place_regions_refuses(tmp_path, ranks, method, message):
     done = place(collision(tmp_path/"case"), ranks, method)
     assert done.returncode and message in done.stdout
+
+
+@pytest.mark.parametrize("n", (None, "(1 3 1)", "(3 1 1)"))
+def test_a_rank_for_each_region(tmp_path, n):
+    """As many ranks as regions, also across the row: none has nothing."""
+    case = collision(tmp_path/"case")
+    done = place(case, 3,
+                 more={"hierarchicalCoeffs": {"n": n}} if n else None)
+    assert done.returncode == 0, done.stdout
+    assert re.findall(r"Rank \d: 1 regions, 9 cells", done.stdout) == [
+        f"Rank {rank}: 1 regions, 9 cells" for rank in range(3)]
+
+
+def test_ranks_in_wrong_numbers(tmp_path):
+    done = place(collision(tmp_path/"case"), 3,
+                 more={"hierarchicalCoeffs": {"n": "(2 1 1)"}})
+    assert done.returncode and "Keyword 'n' is (2 1 1)" in done.stdout

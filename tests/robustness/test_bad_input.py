@@ -495,6 +495,33 @@ CASES = {
     "tolerance of zero": (
         control("relaxation { type kinetic; tolerance 0; }"),
         ("controlDict", "relaxation", "tolerance", "positive")),
+    "misspelt dictionary of the scheme": (
+        replace(schemes, "vertexCentred", "vertexCentered"),
+        ("fvSchemes", "'vertexCentered'", "'vertexCentred'")),
+    "condition of no patch": (
+        replace(velocity, r"boundaryField\s*\{", "boundaryField { lefft "
+                "{ type fixedVelocity; velocity (0 0 0); }"),
+        ("pointU", "boundaryField", "'lefft'", "bar1", "'left'")),
+    "surfaces that are a word": (
+        replace(contact, r"interfaces\s*\{", "interfaces { many { surfaces "
+                "al; }"),
+        ("contactProperties", "'surfaces'", "all", "list")),
+    "no surfaces": (
+        replace(contact, r"interfaces\s*\{", "interfaces { many { surfaces "
+                "(); }"),
+        ("contactProperties", "'surfaces'", "all", "list")),
+    "law that is a word": (
+        replace(contact, r"interfaces\s*\{", "interfaces { many { surfaces "
+                "all; law frictionless; }"),
+        ("contactProperties", "many", "'law'", "dictionary", "type")),
+    "interval without its control": (
+        history("solidEnergies", "writeInterval 5;"),
+        ("mine", "'writeInterval'", "'writeControl'")),
+    "region of what is of all": (
+        history("contactForces", "region bar1;"), ("mine", "'region'")),
+    "no list of regions": (
+        remove("constant/regionProperties"),
+        ("regionProperties", "constant/polyMesh")),
     "maxCo of zero": (
         edit("system/controlDict", {"maxCo": 0}), ("controlDict", "maxCo")),
 }

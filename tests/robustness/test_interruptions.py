@@ -18,7 +18,8 @@ from vertexContactTests.caseTools import (DEFAULT, PRESET, Case, checked,
                                           rankFolders, solver, timeFolders,
                                           timeLimit)
 from vertexContactTests.collisions import collision
-from vertexContactTests.smallCases import RUBBER, Body, SmallCase
+from vertexContactTests.smallCases import (FLOOR, RUBBER, Body, SmallCase,
+                                           condition, coulomb, table)
 
 INTERVALS = 40
 NAME = "friction, nearestFace"
@@ -247,11 +248,16 @@ def test_half_written_notes(straight, tmp_path, figures, size):
             contents(whole, last), contents(case, last)), [])
 
 
+def noDisplacement(folder):
+    (folder/"below/pointD").unlink()
+
+
 @pytest.mark.parametrize("harm, file", (
     (cut("below/F"), "below/F"), (garbage, "below/F"), (otherSize, "below/F"),
-    (noVelocity, "below/pointU"),
+    (noVelocity, "below/pointU"), (noDisplacement, "below/pointD"),
     (cut("below/contactStatus"), "below/contactStatus")),
-    ids=("cut", "garbage", "other mesh", "missing", "cut text"))
+    ids=("cut", "garbage", "other mesh", "missing", "no displacement",
+         "cut text"))
 def test_harmed_start(straight, tmp_path, figures, harm, file):
     """A complete time of which a file was harmed later: no start from it, and
     nothing else is touched."""
@@ -537,3 +543,85 @@ def test_modified(straight, tmp_path, figures):
         f.equal("contactProperties read again",
                 "Re-reading object contactProperties" in log, True)
         f.equal("slip at some time", bool(slip.max() > 0), True)
+
+
+@pytest.mark.parametrize("file, entries, named", (
+    ("constant/contactProperties", {"type": "coulom"}, "coulom"),
+    ("system/controlDict", {"maxCo": -1}, "maxCo")), ids=("law", "maxCo"))
+@pytest.mark.parametrize("ranks", (1, 2))
+def test_modified_wrongly(straight, tmp_path, figures, ranks, file, entries,
+                          named):
+    """One message, and no step is lost: the run goes on when it is mended."""
+    whole, _ = straight(NAME, ranks)
+    case = copied(whole, tmp_path/"case")
+    case.set("system/controlDict", {
+        "endTime": 1000, "writeInterval": 0.5, "logInterval": 1,
+        "runTimeModifiable": True})
+    right = (case/file).read_text()
+    with Running(case, ranks) as run:
+        run.reach(0)
+        rewrite(case, file, **entries)
+        code, log = run.end(60)
+    folder = case/"processor0" if ranks > 1 else case.path
+    last = timeFolders(folder)[-1]
+    steps = re.findall(r"^Step .*Time (\S+) s", log, re.MULTILINE)
+    (case/file).write_text(right)
+    case.set("system/controlDict", {"endTime": float(last) + 0.01})
+    with Running(case, ranks) as run:
+        again, _ = run.end(60)
+    with figures(f"modified wrongly, {named}, {ranks} ranks") as f:
+        f.equal("fails", code != 0, True)
+        f.equal("names it", named in log[log.index("--> FOAM FATAL"):], True)
+        f.within("time that was written / last step",
+                 float(last)/float(steps[-1]), 1, 1e-5)
+        f.equal("exit code of the next run", again, 0)
+
+
+def test_stop_in_the_first_step_of_friction(tmp_path, figures):
+    """A floor that jumps through a held block in the very step in which two
+    others begin to rub: the state before is written."""
+    sides = {"bottom": "contact", "top": condition(
+        "fixedVelocity", velocity=(0, 0, 0))}
+    held = Body((3, 3), name="held", start=(10, 0, 0), sides=sides)
+    left = Body((3, 3), name="left", start=(0, 5, 0), velocity=(0.1, 0, 0),
+                sides={"right": "contact"})
+    right = Body((3, 3), name="right", start=(4.3, 5, 0),
+                 velocity=(-0.1, 0, 0), sides={"left": "contact"})
+    crashed, lost = [], 0
+    for jump in np.arange(9.6, 10.1, 0.06):
+        path = table((0, (0, 0, 0)), (1, (0, 0.01, 0)),
+                     (jump, (0, 0.01, 0)), (jump + 0.02, (0, 3, 0)),
+                     (100, (0, 3, 0)))
+        case = SmallCase(
+            tmp_path/f"{jump:.2f}", [held, left, right], 20, interfaces={
+                "floor": {"side": ("held", "bottom"), "obstacle": FLOOR,
+                          "motion": {"displacement": path}},
+                "all": {"surfaces": "((left right) (right left))",
+                        "self": "no", "law": coulomb(0.3)}},
+            control={"writeInterval": 20, "maxCo": 0.5}, preset=DEFAULT)
+        code, log = case.attempt()
+        lost += "gone through" in log and "was written to time" in log
+        if code < 0 or "FATAL" not in log:
+            crashed.append((jump, code))
+    with figures("stopped as friction begins") as f:
+        f.equal("without a message", crashed, [])
+        f.atLeast("stopped by the floor", lost, 9)
+
+
+def test_collated(straight, tmp_path, figures):
+    """Two ranks that write into one folder go on from there."""
+    whole, _ = straight(NAME, 2)
+    case = copied(whole, tmp_path/"case")
+    for folder in "processor0", "processor1":
+        shutil.rmtree(case/folder)
+    collated = ("-fileHandler", "collated")
+    checked(["decomposePar", "-allRegions", *collated], case.path)
+    run = ["mpirun", "-np", "2", "vertexContactFoam", "-parallel", *collated]
+    for end in 0.1, 0.2:
+        case.set("system/controlDict", {"endTime": end})
+        log = checked(run, case.path)
+    with figures("two ranks, collated, restarted") as f:
+        f.equal("times", sorted(
+            t.name for t in (case/"processors2").iterdir()
+            if t.name in ("0.1", "0.2")), ["0.1", "0.2"])
+        f.equal("starts again", "is not complete" in log, False)

@@ -12,8 +12,10 @@ Description
     several messages of each body. So ranks have messages of contact only.
 
     Regions that are near each other get the same rank, and all ranks about as
-    many cells: the centres of the regions, with their numbers of cells, are
-    divided by OpenFOAM's method hierarchical. Its \c n is that of
+    many cells, but at least one region: the centres of the regions, with their
+    numbers of cells, are divided in the directions x, y and z, one after the
+    other, as OpenFOAM's method hierarchical does. That divides by zero where
+    some ranks have nothing, as with as many ranks as regions. \c n is that of
     hierarchicalCoeffs in system/decomposeParDict, or without it slices across
     the longest extent.
 
@@ -37,11 +39,84 @@ Usage
 #include "Time.H"
 #include "polyMesh.H"
 #include "labelIOList.H"
-#include "decompositionMethod.H"
 #include "dictionaryCheck.H"
 #include "systemChecks.H"
+#include <algorithm>
 
 using namespace Foam;
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Give regions to n[axis] groups of ranks, by their centres in that
+//  direction, and so on in the next ones.
+//  \param regions  at least as many as ranks
+//  \param first  the first of these ranks
+void divide
+(
+    const labelList& regions,
+    const label axis,
+    const Vector<label>& n,
+    const label first,
+    const pointField& centres,
+    const scalarField& cells,
+    labelList& ranks
+)
+{
+    if (axis == label(vector::nComponents))
+    {
+        for (const label region : regions) ranks[region] = first;
+        return;
+    }
+    label ranksOfGroup = 1;
+    for (label d = axis + 1; d < label(vector::nComponents); ++d)
+    {
+        ranksOfGroup *= n[d];
+    }
+    labelList sorted(regions);
+    const auto isBefore = [&](const label a, const label b)
+    {
+        return centres[a][axis] < centres[b][axis];
+    };
+    std::stable_sort(sorted.begin(), sorted.end(), isBefore);
+    scalar total = 0, before = 0;
+    for (const label region : sorted) total += cells[region];
+
+    label next = 0;
+    for (label group = 0; group < n[axis]; ++group)
+    {
+        // As many as bring the cells to the share of the groups so far, and as
+        // many as the ranks of this one and of those that follow need
+        const label last = n[axis] - 1;
+        const label least = next + ranksOfGroup;
+        const label most = sorted.size() - (last - group)*ranksOfGroup;
+        label end = next;
+        while
+        (
+            end < most
+         && (
+                end < least || group == last
+             || before + 0.5*cells[sorted[end]]
+              < total*(group + 1)/n[axis]
+            )
+        )
+        {
+            before += cells[sorted[end]];
+            ++end;
+        }
+        divide
+        (
+            labelList(SubList<label>(sorted, end - next, next)), axis + 1,
+            n, first + group*ranksOfGroup, centres, cells, ranks
+        );
+        next = end;
+    }
+}
+
+} // End anonymous namespace
+
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
@@ -108,28 +183,20 @@ int main(int argc, char *argv[])
         cells[i] = meshes[i].nCells();
     }
 
-    // A method of its own: that of the file is manual
-    dictionary division;
-    division.add("numberOfSubdomains", nRanks);
-    division.add("method", "hierarchical");
-    dictionary coeffs(control.subOrEmptyDict("hierarchicalCoeffs"));
-    if (!coeffs.found("n"))
+    const vector span(boundBox(centres).span());
+    Vector<label> n(1, 1, 1);
+    n[findMax(span)] = nRanks;
+    const dictionary coeffs(control.subOrEmptyDict("hierarchicalCoeffs"));
+    coeffs.readIfPresent("n", n);
+    if (cmptProduct(n) != nRanks || cmptMin(n) < 1)
     {
-        const vector span(boundBox(centres).span());
-        Vector<label> n(1, 1, 1);
-        n[findMax(span)] = nRanks;
-        coeffs.add("n", n);
+        FatalIOErrorInFunction(coeffs)
+            << "Keyword 'n' is " << n << ": as many ranks as "
+            << "numberOfSubdomains, " << nRanks << ", in positive numbers"
+            << exit(FatalIOError);
     }
-    if (!coeffs.found("delta")) coeffs.add("delta", 0.001);
-    if (!coeffs.found("order")) coeffs.add("order", word("xyz"));
-    division.add("hierarchicalCoeffs", coeffs);
-
-    const labelList ranks
-    (
-        nRanks == 1
-      ? labelList(names.size(), Zero)
-      : decompositionMethod::New(division)->decompose(centres, cells)
-    );
+    labelList ranks(names.size(), Zero);
+    divide(identity(names.size()), 0, n, 0, centres, cells, ranks);
 
     labelList nRegions(nRanks, Zero), nCells(nRanks, Zero);
     forAll(names, i)

@@ -306,6 +306,17 @@ Foam::medianDual::medianDual(const polyMesh& mesh, const cellTreatment cells)
              && magnitude > noArea*std::pow(volume, (nDim_ - 1.0)/nDim_)
             )
             {
+                const scalar* const A = nodePosition_.cdata() + a*nDim_;
+                const scalar* const B = nodePosition_.cdata() + b*nDim_;
+                if (std::equal(A, A + nDim_, B))
+                {
+                    FatalFileErrorInFunction(meshFile(mesh))
+                        << "Region " << mesh.name() << ": points "
+                        << nodes.nodePoint[a] << " and " << nodes.nodePoint[b]
+                        << " of a cell are both at "
+                        << mesh.points()[nodes.nodePoint[a]]
+                        << ": an edge has no length" << exit(FatalIOError);
+                }
                 edgeNodes.append(a);
                 edgeNodes.append(b);
                 for (label k = 0; k < nDim_; ++k) edgeArea.append(c[k]);

@@ -54,6 +54,64 @@ dictionary readIfThere
 }
 
 
+//- fvSchemes of the region or of the case: a dictionary that is nearly ours
+//  would be left out in silence
+dictionary readSchemes(const Time& runTime, const objectRegistry& db)
+{
+    const word ours("vertexCentred");
+    constexpr label letters = 4;
+    const dictionary dict(readIfThere("fvSchemes", runTime.system(), db));
+    for (const entry& e : dict)
+    {
+        if
+        (
+            e.keyword() != ours
+         && dictionaryCheck::within
+            (
+                e.keyword(), wordList(1, ours), letters
+            ).size()
+        )
+        {
+            FatalIOErrorInFunction(dict)
+                << "Unknown keyword '" << e.keyword() << "'. Did you mean '"
+                << ours << "'?" << exit(FatalIOError);
+        }
+    }
+    return dict;
+}
+
+
+//- Each entry of a region's field is that of a patch, or says what a kind of
+//  patch is anyway
+void checkPatches(const dictionary& field, const polyMesh& mesh)
+{
+    const wordList names(mesh.boundaryMesh().names());
+    for (const entry& e : field.subDict("boundaryField"))
+    {
+        const keyType& key = e.keyword();
+        bool fits =
+            e.isDict()
+         && polyPatch::constraintType
+            (
+                e.dict().getOrDefault<word>("type", word())
+            );
+        for (const polyPatch& pp : mesh.boundaryMesh())
+        {
+            fits = fits || key.match(pp.name()) || pp.inGroups().found(key);
+        }
+        if (!fits)
+        {
+            FatalIOErrorInFunction(field)
+                << "Keyword 'boundaryField': '" << key << "' fits no patch of "
+                << "region '" << mesh.name() << "'."
+                << dictionaryCheck::proposal(key, names).c_str() << nl
+                << "Its patches: " << dictionaryCheck::listed(names).c_str()
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
 //- The one default region, whose files are those of the case
 bool isCase(const polyMesh& mesh)
 {
@@ -154,9 +212,9 @@ Foam::dictionary Foam::regionFiles::schemes(const polyMesh& mesh)
     // OpenFOAM's tools want a file for each region, mostly one without our
     // dictionary
     const Time& runTime = mesh.time();
-    dictionary own(readIfThere("fvSchemes", runTime.system(), mesh));
+    dictionary own(readSchemes(runTime, mesh));
     if (own.found("vertexCentred") || isCase(mesh)) return own;
-    return readIfThere("fvSchemes", runTime.system(), runTime);
+    return readSchemes(runTime, runTime);
 }
 
 
@@ -212,7 +270,9 @@ Foam::dictionary Foam::regionFiles::velocity(const polyMesh& mesh)
     if (shared == own.objectPath())
     {
         // OpenFOAM's own message if it is not there
-        return localIOdictionary(own, pointVectorField::typeName);
+        const localIOdictionary field(own, pointVectorField::typeName);
+        checkPatches(field, mesh);
+        return field;
     }
 
     // It knows nothing of the boundaries between processors

@@ -76,7 +76,7 @@ Foam::solidBody::solidBody
         IOobject
         (
             "pointU", time_.timeName(), mesh_,
-            IOobject::NO_READ, IOobject::NO_WRITE
+            IOobject::NO_READ, IOobject::NO_WRITE, false
         ),
         pointMesh::New(mesh_),
         regionFiles::velocity(mesh_)

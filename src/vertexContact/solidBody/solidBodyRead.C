@@ -220,6 +220,33 @@ void Foam::solidBody::readState()
         readIfPresent<vector>("lm", dimDensity*dimVelocity);
     const auto D = readIfPresent<vector>("pointD", dimLength);
     const auto F = readIfPresent<tensor>("F", dimless);
+    IOobject record
+    (
+        "solidSystem", time_.timeName(), "uniform", time_,
+        IOobject::MUST_READ, IOobject::NO_WRITE, false
+    );
+    if (!D.valid() && dictionaryCheck::isThere<IOdictionary>(record))
+    {
+        FatalFileErrorInFunction(pointUFile_.path()/"pointD")
+            << "Region " << name_ << ": there is no pointD, though a run wrote "
+            << "this time (uniform/solidSystem): start from a time that has it"
+            << exit(FatalIOError);
+    }
+    scalar lost = 0;
+    for (const vector& v : pointU_.primitiveField())
+    {
+        vector rest(v);
+        for (label i = 0; i < d; ++i) rest[dir[i]] = 0;
+        lost = max(lost, mag(rest));
+    }
+    reduce(lost, maxOp<scalar>());
+    if (lost > largestRemoved*data_.cp)
+    {
+        WarningInFunction
+            << "Region " << name_ << ": an initial velocity of up to " << lost
+            << " m/s in directions that the mesh does not solve was removed"
+            << endl;
+    }
 
     for (label a = 0; a < n; ++a)
     {

@@ -8,6 +8,7 @@
 #include "nodeMessage.H"
 #include "passTimes.H"
 #include "stopwatch.H"
+#include "writtenTimes.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -160,12 +161,41 @@ void Foam::solidSystem::keepStart()
 }
 
 
+template<class Function>
+auto Foam::solidSystem::orWrite(const Function& f) -> decltype(f())
+{
+    const bool throws = FatalIOError.throwExceptions();
+    try
+    {
+        const auto result = f();
+        FatalIOError.throwExceptions(throws);
+        return result;
+    }
+    catch (const IOerror& wrong)
+    {
+        FatalIOError.throwExceptions(throws);
+        if (runTime_.value() != done_.start && !dry_)
+        {
+            runTime_.writeNow();
+            writtenTimes::check(*this);
+        }
+        IOerror message(wrong);
+        message.throwExceptions(throws);
+        message.exit();
+        throw;
+    }
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::solidSystem::startStep()
 {
     const stopwatch watch(done_.stepSeconds);
-    const bool otherLaws = contacts_.readModifiedLaws();
+    const bool otherLaws = orWrite([&]
+    {
+        return contacts_.readModifiedLaws();
+    });
     if (contacts_.pairIfAsked(runTime_.value()) || otherLaws)
     {
         for (solidBody& body : bodies_) body.forgetRates();
@@ -191,7 +221,7 @@ void Foam::solidSystem::startStep()
         done_.steps + 1, startOfStep_ + runTime_.deltaTValue()
     );
     if (choice_.look(logs)) checkTimeStep();
-    choice_.take();
+    orWrite([&] { choice_.take(); return true; });
 }
 
 

@@ -8,6 +8,7 @@
 #include "stepControl.H"
 #include "stepRatios.H"
 #include "dictionaryCheck.H"
+#include "fileError.H"
 #include "IOdictionary.H"
 #include <set>
 
@@ -50,6 +51,24 @@ Foam::wordList Foam::systemChecks::regionNames(const Time& runTime)
     );
     if (!dictionaryCheck::isThere<IOdictionary>(io))
     {
+        const word instance
+        (
+            runTime.findInstance
+            (
+                polyMesh::meshSubDir, "points", IOobject::READ_IF_PRESENT
+            )
+        );
+        const fileName points
+        (
+            runTime.path()/instance/polyMesh::meshSubDir/"points"
+        );
+        if (!isFile(points) && !Pstream::parRun())
+        {
+            FatalFileErrorInFunction(io.objectPath())
+                << "There is no such file, which names the regions, nor "
+                << "constant/polyMesh, the mesh of a case without regions"
+                << exit(FatalIOError);
+        }
         return wordList(1, polyMesh::defaultRegion);
     }
 

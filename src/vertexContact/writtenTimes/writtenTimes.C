@@ -37,6 +37,9 @@ bool incomplete(const fileName& time)
 template<class SetAside>
 word forIncomplete(const argList& args, const SetAside& setAside)
 {
+    // Folders of all processors in one cannot be looked at as check() does
+    if (fileHandler().type() != "uncollated") return word();
+
     {
         IFstream is(args.rootPath()/args.globalCaseName()/"system/controlDict");
         if

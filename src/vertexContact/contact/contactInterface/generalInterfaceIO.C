@@ -138,7 +138,7 @@ PtrList<pairEntry> readPairs(const dictionary& dict)
     {
         readListedPairs(dict, pairs);
     }
-    for (const pairEntry& pair : pairs) pair.dict.subDict("law");
+    for (const pairEntry& pair : pairs) contactLaw::dictIn(pair.dict);
     return pairs;
 }
 
@@ -209,8 +209,8 @@ Foam::autoPtr<Foam::dictionary> Foam::generalInterface::partDict
     }
     if (lawDict.found("law"))
     {
-        part->add("law", lawDict.subDict("law"));
-        if (contactLaw::New(lawDict.subDict("law"))->bonded())
+        part->add("law", contactLaw::dictIn(lawDict));
+        if (contactLaw::New(contactLaw::dictIn(lawDict))->bonded())
         {
             FatalIOErrorInFunction(lawDict)
                 << "Keyword 'law': what is tied needs an interface of its "

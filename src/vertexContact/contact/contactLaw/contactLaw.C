@@ -29,6 +29,18 @@ Foam::autoPtr<Foam::contactLaw> Foam::contactLaw::New(const dictionary& dict)
 }
 
 
+const Foam::dictionary& Foam::contactLaw::dictIn(const dictionary& dict)
+{
+    if (!dict.isDict("law"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Keyword 'law' is not a dictionary. Example: "
+            << "law { type frictionless; }" << exit(FatalIOError);
+    }
+    return dict.subDict("law");
+}
+
+
 Foam::autoPtr<Foam::contactLaw> Foam::contactLaw::ofInterface
 (
     const dictionary& dict
@@ -37,7 +49,7 @@ Foam::autoPtr<Foam::contactLaw> Foam::contactLaw::ofInterface
     return New
     (
         dict.found("law")
-      ? dict.subDict("law")
+      ? dictIn(dict)
       : dictionary(IStringStream("type frictionless;")())
     );
 }

@@ -118,6 +118,13 @@ Foam::List<Foam::contactSide> Foam::surfaceSelection::select
             dict, keyword, Pair<word>(e.list[0].name, e.list[1].name), bodies
         );
     };
+    if (which.leaf || which.list.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Keyword '" << keyword << "' must be all, or a list of "
+            << "surfaces, as ((bar1 right) (\"disc.*\" surface)): each is a "
+            << "region and a patch" << exit(FatalIOError);
+    }
     if (which.literal()) return List<contactSide>(1, one(which));
 
     // Those of each entry, in the order of all

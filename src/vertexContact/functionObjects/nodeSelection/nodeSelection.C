@@ -265,6 +265,7 @@ Foam::keywordList Foam::nodeSelection::keywords()
 {
     return
     {
+        {"region", "", "all", "names of bodies"},
         {"cellZone", "", "all nodes", "only those of its cells"},
         {"faceZone", "", "all nodes", "only those of its faces"},
         {"patch", "", "all nodes", "only those of its faces"},

@@ -178,6 +178,7 @@ Foam::keywordList Foam::functionObjects::pointProbes::keywords()
 {
     return
     {
+        {"region", "", "the only one", "name of a body"},
         {"points", "m", "required", "places in the reference mesh"},
         {
             "fields", "", "required",

@@ -130,6 +130,12 @@ void Foam::functionObjects::solidFunctionObject::checkKeywords
 ) const
 {
     dictionaryCheck::onlyKeywords(dict, commonKeywords() + specific);
+    if (!controlled_ && dict.found("writeInterval"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Keyword 'writeInterval' needs a 'writeControl': without it a "
+            << "row is written each 1/1000 of the run" << exit(FatalIOError);
+    }
 }
 
 
@@ -173,10 +179,6 @@ Foam::functionObjects::solidFunctionObject::commonKeywords()
         {"functionObjectLibs", "", "none", "libs, in older releases"},
         {"enabled", "", "yes", "no: leave it out"},
         {"log", "", "yes", "of OpenFOAM, without effect"},
-        {
-            "region", "", "all",
-            "names of bodies; pointProbes takes one, required if there are more"
-        },
         {"timeStart", "s", "start", "nothing is done before"},
         {"timeEnd", "s", "end", "nothing is done afterwards"},
         {"executeControl", "", "timeStep", "when it executes, as writeControl"},
