@@ -142,3 +142,29 @@ def test_gain_of_energy(tmp_path, reconstruction):
     gains = np.max(E - np.minimum.accumulate(E)) > 0.02*E[0]
     assert gains == (reconstruction == "full")
     assert ("of its energy from the fluxes" in output) == gains
+
+
+@pytest.mark.parametrize("v", (0, 1e-3))
+def test_velocity_that_the_mesh_does_not_solve(tmp_path, v):
+    """In two dimensions along the third; not a word if it is zero."""
+    case = SmallCase(tmp_path, Body((2, 2), velocity=(0.01, 0, v)), 0.1,
+                     preset=DEFAULT)
+    code, output = case.attempt()
+    assert code == 0, output
+    assert ("directions that the mesh does not solve" in output) == (v > 0)
+    assert (f"up to {v} m/s" in output) == (v > 0), output
+
+
+def test_points_at_one_place(tmp_path):
+    """Two points of a cell that coincide are named, before the first step."""
+    def collapsed(X):
+        X = np.array(X)
+        X[21] = X[22]
+        return X
+
+    case = SmallCase(tmp_path, Body((3, 3, 3), moved=collapsed), 0.1,
+                     preset=DEFAULT)
+    code, output = case.attempt()
+    assert code == 1 and output.count("--> FOAM FATAL IO ERROR") == 1, output
+    assert "points 21 and 22 of a cell are both at" in output, output
+    assert "polyMesh" in output, output
