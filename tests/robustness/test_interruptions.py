@@ -608,20 +608,22 @@ def test_stop_in_the_first_step_of_friction(tmp_path, figures):
         f.atLeast("stopped by the floor", lost, 9)
 
 
-def test_collated(straight, tmp_path, figures):
-    """Two ranks that write into one folder go on from there."""
+@pytest.mark.parametrize("handler, folder", (
+    ("collated", "processors2"), ("masterUncollated", "processor1")))
+def test_file_handlers(straight, tmp_path, figures, handler, folder):
+    """Two ranks go on from what they wrote, also into one folder."""
     whole, _ = straight(NAME, 2)
     case = copied(whole, tmp_path/"case")
-    for folder in "processor0", "processor1":
-        shutil.rmtree(case/folder)
-    collated = ("-fileHandler", "collated")
-    checked(["decomposePar", "-allRegions", *collated], case.path)
-    run = ["mpirun", "-np", "2", "vertexContactFoam", "-parallel", *collated]
+    for rank in "processor0", "processor1":
+        shutil.rmtree(case/rank)
+    chosen = ("-fileHandler", handler)
+    checked(["decomposePar", "-allRegions", *chosen], case.path)
+    run = ["mpirun", "-np", "2", "vertexContactFoam", "-parallel", *chosen]
     for end in 0.1, 0.2:
         case.set("system/controlDict", {"endTime": end})
         log = checked(run, case.path)
-    with figures("two ranks, collated, restarted") as f:
+    with figures(f"two ranks, {handler}, restarted") as f:
         f.equal("times", sorted(
-            t.name for t in (case/"processors2").iterdir()
+            t.name for t in (case/folder).iterdir()
             if t.name in ("0.1", "0.2")), ["0.1", "0.2"])
         f.equal("starts again", "is not complete" in log, False)

@@ -37,8 +37,9 @@ bool incomplete(const fileName& time)
 template<class SetAside>
 word forIncomplete(const argList& args, const SetAside& setAside)
 {
-    // Folders of all processors in one cannot be looked at as check() does
-    if (fileHandler().type() != "uncollated") return word();
+    // One folder for all processors has no times that are this one's
+    const word type(fileHandler().type());
+    if (type != "uncollated" && type != "masterUncollated") return word();
 
     {
         IFstream is(args.rootPath()/args.globalCaseName()/"system/controlDict");
