@@ -7,6 +7,7 @@ from vertexContactCases import readResults
 from vertexContactTests.caseTools import (Tutorial, checkEnergies,
                                           checkerboard, relativeL1, rise, root)
 from vertexContactTests.mirrorImages import asymmetry
+from vertexContactTests.smallCases import RUBBER, Body, SmallCase, largest
 
 BARS = "nearlyIncompressibleBars"
 ABRUPT = (("endTime", 1.5e-4), ("writeInterval", 1e-5))
@@ -139,3 +140,32 @@ def test_incompressible_limit(run, figures):
                      rise(energy), 1e-3)
             f.atLeast(f"nu {nu}: energy at 150 us / initial",
                       energy[-1]/energy[0], 0.85)
+
+
+def test_where_it_is(tmp_path, figures):
+    """What smooths a volume depends neither on the place of the body nor on
+    its directions."""
+    def swings(name, start=(0, 0, 0), axes=(0, 1, 2)):
+        def turned(X):
+            Y = np.empty_like(X)
+            Y[:, axes] = X + start
+            return Y
+
+        def back(Y):
+            return Y[:, axes] - start
+        body = Body(cells=(5, 4, 2), moved=turned, material={
+            **RUBBER, "nu": 0.495}, velocity=lambda Y: turned(np.stack((
+                -0.05*np.sin(3*back(Y)[:, 0]), 0.02*back(Y)[:, 1],
+                0*Y[:, 0]), axis=1) - start))
+        case = SmallCase(tmp_path/name, body, 0.2, preset="balanced", control={
+            "adjustTimeStep": "no", "deltaT": 0.02}).run()
+        return case.at("pointU")[:, axes], case.at("pressure")
+
+    here = swings("here")
+    with figures("smoothed volume, elsewhere and turned") as f:
+        for what, there in {
+                "far away": swings("far", start=(100, -30, 7)),
+                "turned": swings("turned", axes=(2, 0, 1))}.items():
+            for name, a, b in zip(("velocity", "pressure"), here, there):
+                f.atMost(f"{what}: difference of the {name} / largest",
+                         largest(a - b)/largest(a), 1e-11)

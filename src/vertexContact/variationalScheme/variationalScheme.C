@@ -11,6 +11,70 @@
 #include "stepLimit.H"
 #include <cmath>
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- 1 - M between square roots of the volumes, so that it is symmetric, for
+//  lanczos
+class removedShare
+{
+    // Private data
+
+        const variationalKernel& kernel_;
+        const vertexData& d_;
+        variationalData& x_;
+
+
+public:
+
+    static constexpr label nComponents = 1;
+
+    // Constructors
+
+        removedShare
+        (
+            const variationalKernel& kernel,
+            const vertexData& d,
+            variationalData& x
+        )
+        :
+            kernel_(kernel),
+            d_(d),
+            x_(x)
+        {}
+
+
+    // Member Functions
+
+        void constrain(scalarField&) const {}
+
+        scalar product(const scalarField& u, const scalarField& v) const
+        {
+            scalar sum = 0;
+            forAll(u, a)
+            {
+                if (d_.dual.sharing().owned()[a]) sum += u[a]*v[a];
+            }
+            return returnReduce(sum, sumOp<scalar>());
+        }
+
+        void apply(const scalarField& u, scalarField& y) const
+        {
+            const auto& volume = d_.dual.nodeVolume();
+            forAll(u, a) x_.jacobian[a] = u[a]/std::sqrt(volume[a]);
+            kernel_.smooth(x_, d_);
+            d_.dual.sharing().sum(x_.average.data(), 1);
+            forAll(y, a) y[a] = -std::sqrt(volume[a])*x_.average[a];
+        }
+};
+
+} // End anonymous namespace
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::variationalScheme::completeTensors
@@ -107,31 +171,8 @@ void Foam::variationalScheme::smoothJacobian()
 
 void Foam::variationalScheme::findFilter()
 {
-    // Power method for the largest eigenvalue of 1 - M, of which the start has
-    // all directions; rounded up to two digits
-    forAll(x_.jacobian, a)
-    {
-        x_.jacobian[a] = std::sin(lanczos::phase(dual_, a));
-    }
-    scalar largest = 0;
-    for (label pass = 0; pass < filterPasses; ++pass)
-    {
-        kernel_.smooth(x_, data_);
-        dual_.sharing().sum(x_.average.data(), 1);
-        scalar before = 0, after = 0;
-        forAll(x_.average, a)
-        {
-            if (dual_.sharing().owned()[a])
-            {
-                before += dual_.nodeVolume()[a]*sqr(x_.jacobian[a]);
-                after += dual_.nodeVolume()[a]*sqr(x_.average[a]);
-            }
-        }
-        reduce(before, sumOp<scalar>());
-        reduce(after, sumOp<scalar>());
-        largest = std::sqrt(after/before);
-        forAll(x_.average, a) x_.jacobian[a] = -x_.average[a]/largest;
-    }
+    removedShare removed(kernel_, data_, x_);
+    const scalar largest = lanczos::largestOf(removed, data_, lanczos::steps);
     x_.filter = 1/(std::ceil(hundredths*largest)/hundredths);
 }
 
