@@ -5,9 +5,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from vertexContactTests.caseTools import DEFAULT, Scene
+from vertexContactTests.caseTools import DEFAULT, Case, Scene
 from vertexContactTests.collisions import SCENES as COLLISIONS, collision
-from vertexContactTests.smallCases import largest
+from vertexContactTests.smallCases import (RUBBER, GmshBody, SmallCase,
+                                           coulomb, largest)
 
 LINE = Scene("similar", elements=128, preset=DEFAULT,
              control=(("writeInterval", 0.1),))
@@ -81,3 +82,37 @@ def test_collision(tmp_path, figures, name, method):
                          if file.name == "contactSlide" else a)
                 f.atMost(f"{body.name} {file.name}: difference / largest",
                          largest(a - b)/max(largest(scale), 1e-12), 1e-10)
+
+
+BOXES = """SetFactory("OpenCASCADE");
+Box(1) = {0, 0, 0, 1, 1, 1};
+Box(2) = {1.02, 0.2, 0.1, 1, 1, 1};
+Mesh.CharacteristicLengthMax = 0.4;
+Physical Volume("volume", 1) = {1, 2};
+Physical Surface("surface", 2) = {1:12};
+"""
+
+
+def test_surface_with_itself(tmp_path, figures):
+    """Two boxes of one region, whose surface meets itself and slides: which
+    face is the minus side does not depend on the ranks."""
+    def boxes(name):
+        body = GmshBody(
+            name="boxes", geometry=BOXES, sides={"surface": "contact"},
+            material=RUBBER, velocity=lambda X: np.where(
+                X[:, :1] < 1.01, 1, -1)*np.array((0.05, 0.1, 0.03)))
+        return SmallCase(tmp_path/name, body, 1.0, preset=DEFAULT,
+                         control={"maxCo": 0.9}, interfaces={
+                             "all": {"surfaces": "all", "law": coulomb(0.3)}})
+    serial = boxes("serial").run()
+    parallel = boxes("parallel").runParallel(3, "random")
+    e = serial.energies
+    with figures("surface with itself, 3 ranks") as f:
+        f.atLeast("friction / initial energy",
+                  e["total:frictionDissipation"][-1]/e["total:kinetic"][0],
+                  1e-2)
+        for name in "pointU", "acceleration":
+            a, b = (Case(c.path).field("1", "boxes", name)
+                    for c in (serial, parallel))
+            f.atMost(f"{name}: difference / largest",
+                     largest(a - b)/largest(a), 1e-10)

@@ -12,6 +12,8 @@
 #include "rankExchange.H"
 #include "Time.H"
 #include "addToRunTimeSelectionTable.H"
+#include <algorithm>
+#include <vector>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -46,6 +48,40 @@ bool behind
     contactOverlaps::commonNormal(a.n, b.n, n);
     const scalar depth = 0.5*(a.depth + b.depth);
     return ((b.centre - a.centre) & n) < -(1 + sameNode)*depth;
+}
+
+//- Lexicographic
+bool before(const point& a, const point& b)
+{
+    for (direction i = 0; i < 3; ++i)
+    {
+        if (a[i] != b[i]) return a[i] < b[i];
+    }
+    return false;
+}
+
+//- Nodes in the mesh, in that order
+std::vector<point> ordered(const contactFace& face)
+{
+    std::vector<point> X(face.X.begin(), face.X.begin() + face.size);
+    std::sort
+    (
+        X.begin(), X.end(),
+        [](const point& x, const point& y) { return before(x, y); }
+    );
+    return X;
+}
+
+//- An order of the faces of a surface that is the same on any number of ranks:
+//  which is the minus side counts where they slide
+bool before(const contactFace& a, const contactFace& b)
+{
+    const std::vector<point> A(ordered(a)), B(ordered(b));
+    return std::lexicographical_compare
+    (
+        A.begin(), A.end(), B.begin(), B.end(),
+        [](const point& x, const point& y) { return before(x, y); }
+    );
 }
 
 //- Distance of two boxes, not more than the true one of what is in them
@@ -154,10 +190,7 @@ bool Foam::contactPairings::nearestFace::opposed
     if (oneBody_)
     {
         // The other order of the same two
-        if (minus_ == plus_ && a.firstCorner >= b.firstCorner)
-        {
-            return false;
-        }
+        if (minus_ == plus_ && !before(a, b)) return false;
 
         point Ca(Zero), Cb(Zero);
         scalar closest = GREAT, radius = 0;
