@@ -116,6 +116,35 @@ def test_rest_on_a_slope(tmp_path, figures):
                  kinetic[-1]/kinetic.max(), 1e-18)
 
 
+@pytest.mark.parametrize("first", ("base", "blocks"))
+def test_two_on_one_node(tmp_path, figures, first):
+    """Two small blocks stand on the same node of a coarse base and are pulled
+    apart by two fifths of what friction holds: both stay, whichever side of
+    the interface they are."""
+    T, damped = 120, {"coefficient": 0.5}
+
+    def pulled(name, x, way):
+        rest, weight = np.zeros(3), np.array((0, -WEIGHT, 0))
+        return Body(
+            (3, 3), name=name, start=(x, 0, 0), size=(0.3, 0.3, 1),
+            material=ELASTIC, sides={"bottom": "contact"}, forces=slowly(
+                T/6, rest, weight, weight + (0.2*way*WEIGHT, 0, 0)))
+    blocks = [pulled("left", -0.4, -1), pulled("right", 0.1, 1)]
+    below = Body((2, 1), name="base", start=(-1.5, -1, 0), size=(3, 1, 1),
+                 material=ELASTIC, sides={"bottom": CLAMP, "top": "contact"})
+    case = SmallCase(
+        tmp_path, [below, *blocks] if first == "base" else [*blocks, below],
+        endTime=T, preset=DEFAULT,
+        interfaces={"all": {"surfaces": "all", "self": "no",
+                            "law": coulomb(0.5)}},
+        control={"maxCo": 0.9, "writeInterval": T/6,
+                 "functions": {}, "damping": {'".*"': damped}}).run()
+    half, end = (case.at("pointD", time, "left")
+                 for time in (case.times[2], case.times[-1]))
+    with figures(f"two blocks on one node, {first} first") as f:
+        f.atMost("way in the second half / cell", 10*largest(end - half), 1e-4)
+
+
 def test_static_and_dynamic(tmp_path, figures):
     """Between both coefficients a block at rest stays, and one that moves
     goes on, slowed down by the dynamic one."""

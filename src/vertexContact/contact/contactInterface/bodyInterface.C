@@ -225,7 +225,10 @@ Foam::bodyInterface::bodyInterface
     {
         refuse("no force moves either of the rigid regions");
     }
-    rememberSlide(law(), minus_);
+    for (const contactSide* side : {&minus_, &plus_})
+    {
+        rememberSlide(law(), *side);
+    }
     resize();
 }
 
@@ -334,7 +337,9 @@ void Foam::bodyInterface::solve(const scalar, const bool firstStage)
     if (minus_.body->variational())
     {
         bodyInterface* pair = this;
-        solveForces(UList<bodyInterface*>(&pair, 1), exchange_, firstStage);
+        const UList<bodyInterface*> alone(&pair, 1);
+        if (law().sticks()) startSlides(alone, exchange_);
+        solveForces(alone, exchange_, firstStage);
         return;
     }
     send();

@@ -152,8 +152,13 @@ void Foam::bodyInterface::findNear()
             const label slot = b.minus.slot[0][l];
             if (sticks)
             {
-                shift =
-                    acousticRiemann::tangential(minusSlide_[slot], normal);
+                // Seen from the plus side it has the other sign
+                shift = acousticRiemann::tangential
+                (
+                    0.5
+                   *(minusSlide_[slot] - plusSlide_[b.plus.slot[0][l]]),
+                    normal
+                );
             }
             p.gap = at.gap[l];
             p.minus.zp = M.zp;
@@ -264,17 +269,41 @@ void Foam::bodyInterface::startForces()
     statistics_ = statistics();
     findStates(minus_, minusCorners_, minusStates_);
     findStates(plus_, pairing_->plusCorners(), ownStates_);
-    if (law().sticks())
+}
+
+
+void Foam::bodyInterface::findSlides
+(
+    const contactSide& side,
+    const labelList& corners,
+    vectorField& slides
+)
+{
+    const solidBody& body = *side.body;
+    setCorners(side, corners, slides, [&](const label node, vector& slide)
     {
-        setCorners
-        (
-            minus_, minusCorners_, minusSlide_,
-            [&](const label node, vector& slide)
-            {
-                slide = minus_.body->slide(node);
-            }
-        );
+        slide = body.slide(node);
+    });
+}
+
+
+void Foam::bodyInterface::startSlides
+(
+    const UList<bodyInterface*>& pairs,
+    contactExchange& exchange
+)
+{
+    for (bodyInterface* pair : pairs)
+    {
+        bodyInterface& p = *pair;
+        findSlides(p.minus_, p.minusCorners_, p.minusSlide_);
+        findSlides(p.plus_, p.pairing_->plusCorners(), p.ownSlide_);
     }
+    exchange.toSlots<vector>
+    (
+        [&](const label i) -> auto& { return pairs[i]->ownSlide_; },
+        [&](const label i) -> auto& { return pairs[i]->plusSlide_; }
+    );
 }
 
 
@@ -419,9 +448,9 @@ void Foam::bodyInterface::slideOverlaps
 )
 {
     const auto& kernel = std::get<overlapKernel<nNodes>>(kernels_);
-    solidBody& body = *minus_.body;
     const labelList& minusNode =
-        body.corners(minus_.patchi).geometry.cornerNode;
+        minus_.body->corners(minus_.patchi).geometry.cornerNode;
+    slideMemory& memory = minus_.body->contact().slide;
 
     for (const nearBlock<nNodes>& near : nearBlocks<nNodes>())
     {
@@ -460,12 +489,17 @@ void Foam::bodyInterface::slideOverlaps
             if (p.result.state == acousticRiemann::status::open) continue;
 
             const int l = near.lane[k];
-            slideBy
+            slideMemory::sums slid
             (
-                body.contact(), minusNode[minusCorners_[b.minus.slot[0][l]]], p,
-                vector(way[0][l], way[1][l], way[2][l]),
-                vector(mean[0][l], mean[1][l], mean[2][l]), middle, deltaT
+                slideBy
+                (
+                    p, vector(way[0][l], way[1][l], way[2][l]),
+                    vector(mean[0][l], mean[1][l], mean[2][l]), middle, deltaT
+                )
             );
+            memory.add(minusNode[minusCorners_[b.minus.slot[0][l]]], slid);
+            slid.way = -slid.way;
+            toPlusSlide_[b.plus.slot[0][l]] += slid;
         }
     }
 }
@@ -503,10 +537,30 @@ void Foam::bodyInterface::slide
     );
     for (bodyInterface* pair : pairs)
     {
+        pair->toPlusSlide_.setSize(pair->pairing_->nSlots());
+        pair->toPlusSlide_ = slideMemory::sums();
         pair->withNodes([&](auto N)
         {
             pair->slideOverlaps<N.value>(middle, deltaT);
         });
+    }
+    exchange.toCorners<slideMemory::sums>
+    (
+        [&](const label i) -> auto& { return pairs[i]->toPlusSlide_; },
+        [&](const label i) -> auto& { return pairs[i]->toOwnSlide_; },
+        slideMemory::sums()
+    );
+    for (bodyInterface* pair : pairs)
+    {
+        const contactSide& plus = pair->plus_;
+        const labelList& corners = pair->pairing_->plusCorners();
+        const labelList& plusNode =
+            plus.body->corners(plus.patchi).geometry.cornerNode;
+        slideMemory& memory = plus.body->contact().slide;
+        forAll(corners, i)
+        {
+            memory.add(plusNode[corners[i]], pair->toOwnSlide_[i]);
+        }
     }
 }
 

@@ -56,13 +56,10 @@ Foam::contactInterface::account Foam::contactInterface::account::read
 void Foam::contactInterface::rememberSlide
 (
     const contactLaw& law,
-    const contactSide& minus
+    const contactSide& side
 )
 {
-    if (law.sticks() && minus.body->variational())
-    {
-        minus.body->rememberSlide();
-    }
+    if (law.sticks() && side.body->variational()) side.body->rememberSlide();
 }
 
 
@@ -91,10 +88,8 @@ Foam::scalar Foam::contactInterface::kept(const contactLaw::problem& p)
 }
 
 
-void Foam::contactInterface::slideBy
+Foam::slideMemory::sums Foam::contactInterface::slideBy
 (
-    bodyContact& minus,
-    const label node,
     const contactLaw::problem& p,
     const vector& way,
     const vector& mean,
@@ -104,16 +99,16 @@ void Foam::contactInterface::slideBy
 {
     using namespace acousticRiemann;
 
-    minus.slide.add
-    (
-        node,
-        max(p.area, scalar(0)),
-        p.result.state == status::stick
-      ? deltaT*tangential(way, p.n)
-      : vector::zero,
-        kept(p)
-    );
     account_.friction += middle*p.area*(tangential(p.result.t, p.n) & mean);
+
+    slideMemory::sums s;
+    s.area = max(p.area, scalar(0));
+    s.kept = s.area*kept(p);
+    if (p.result.state == status::stick)
+    {
+        s.way = s.area*deltaT*tangential(way, p.n);
+    }
+    return s;
 }
 
 
@@ -372,7 +367,8 @@ void Foam::contactInterface::readLaw(const dictionary& dict)
             << exit(FatalIOError);
     }
     law_ = std::move(law);
-    rememberSlide(*law_, sides().first());
+    const List<contactSide> both(sides());
+    for (const contactSide& side : both) rememberSlide(*law_, side);
 }
 
 

@@ -441,6 +441,7 @@ void Foam::generalInterface::solve(const scalar time, const bool firstStage)
 {
     if (surfaces_.size() && surfaces_[0].body->variational())
     {
+        bodyInterface::startSlides(sticking_, slideExchange_);
         bodyInterface::solveForces(acting_, exchange_, firstStage);
     }
     else

@@ -572,10 +572,14 @@ void Foam::obstacleInterface::slide(const scalar middle, const scalar deltaT)
         if (p.result.state == acousticRiemann::status::open) continue;
 
         const label node = cornerNode[planes_[i].corner];
-        slideBy
+        body.contact().slide.add
         (
-            body.contact(), node, p, p.plus.v - body.stepVelocity(node),
-            p.plus.v - body.meanStepVelocity(node), middle, deltaT
+            node,
+            slideBy
+            (
+                p, p.plus.v - body.stepVelocity(node),
+                p.plus.v - body.meanStepVelocity(node), middle, deltaT
+            )
         );
     }
 }
