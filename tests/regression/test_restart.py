@@ -9,6 +9,7 @@ from vertexContactTests.caseTools import (DEFAULT, Case, Scene, checked,
                                           contents, differingFiles, runAgain,
                                           timeFolders)
 from vertexContactTests.collisions import END, SCENES as COLLISIONS, collision
+from vertexContactTests.smallCases import Body, SmallCase
 
 SCENES = {
     "1D": Scene("dissimilar", elements=64, preset=DEFAULT,
@@ -64,3 +65,24 @@ def test_restart_of_collision(tmp_path, figures, name, ranks):
             abs(energies[key][-1] - again[key][-1]) for key in energies)
             / energies["total:kinetic"][0], 0 if ranks == 1 else 1e-14)
         f.atLeast("files compared", len(expected[0]), 8)
+
+
+def test_restart_of_a_time_whose_name_is_cut(tmp_path, figures):
+    """Times that timePrecision cannot tell apart have longer names, and a run
+    that goes on from one of them takes yet more digits. Bit by bit the same,
+    with all that it keeps beside the fields."""
+    interval = 4/3
+    bar = Body((8,), velocity=lambda X: 0.05*X*(1, 0, 0))
+    spinning = Body((2, 2), name="spinning", start=(2, 0, 0),
+                    material={"type": "rigid", "rho": 1},
+                    velocity=lambda X: np.cross((0, 0, 1), X))
+    case = SmallCase(tmp_path, [bar, spinning], 9*interval, control={
+        "timePrecision": 6, "writeInterval": interval}, preset=DEFAULT)
+    ((expected,), energies), ((found,), again) = runAgain(
+        case, 1, lambda case, _: case.energies)
+    times = timeFolders(case.path)
+    with figures(f"restart of one of the times {' '.join(times)}") as f:
+        f.atLeast("digits of the longest name", max(map(len, times)), 8)
+        f.equal("files that differ", differingFiles([expected], [found]), [])
+        f.equal("energies that differ", [
+            key for key in energies if energies[key][-1] != again[key][-1]], [])

@@ -119,6 +119,7 @@ bool Foam::solidSystem::writeData(Ostream& os) const
     OStringStream text;
     text.precision(17);
     text<< "time " << runTime_.value() << ';' << nl
+        << "name " << string(runTime_.timeName()) << ';' << nl
         << "lastStep "
         << (
                subCycling_.active()

@@ -95,8 +95,17 @@ Foam::dictionary Foam::solidSystem::readRecord()
     if (!dictionaryCheck::isThere<IOdictionary>(io)) return dictionary();
     const IOdictionary record(io);
     const scalar exact = record.get<scalar>("time");
-    if (runTime_.timeName(exact) != runTime_.timeName()) return dictionary();
-    runTime_.setTime(exact, runTime_.timeIndex());
+
+    // Of the folder that it was written into, not of another one that it was
+    // copied to. By its name: where a run needs more digits than timePrecision,
+    // Time starts again with yet more of them, with which the exact time has
+    // another name. Earlier runs have not written it
+    const word name(record.getOrDefault("name", runTime_.timeName(exact)));
+    if (name != runTime_.timeName()) return dictionary();
+
+    // The folder keeps its name, from which fields are read
+    dimensionedScalar& time = runTime_;
+    time.value() = exact;
     return record;
 }
 
