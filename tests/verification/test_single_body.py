@@ -6,9 +6,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from vertexContactTests.caseTools import timeFolders
+from vertexContactTests.caseTools import DEFAULT, timeFolders
 from vertexContactTests.smallCases import (ELASTIC, Body, SmallCase, condition,
-                                           distorted, largest, table)
+                                           distorted, largest, smooth, table)
 
 CELLS = "simplicial", "simplicialSingle", "native"
 LAWS = "linearElastic", "neoHookean", "MooneyRivlin"
@@ -47,6 +47,38 @@ def test_free_stream(tmp_path, figures, dimensions):
             f.atMost(f"{name}: largest error / scale", max(
                 largest(case.at(name, region=body.name) - expected)/scale
                 for body in bodies), 1e-12)
+
+
+@pytest.mark.parametrize("dimensions", (1, 2, 3))
+def test_squeezed_metal(tmp_path, figures, dimensions):
+    """Metal that is pressed together between mirrors to 0.4 of its length is
+    stiffer by nine times, which the step has to follow: sigma = M ln l/l, less
+    2/3 of what the deviator is beyond the yield stress."""
+    E, nu, tauY, length = 1, 0.3, 0.05, 0.4
+    mu, kappa = E/(2*(1 + nu)), E/(3*(1 - 2*nu))
+    T = 40
+    sides = {side: "symmetryPlane"
+             for side in ("left", "bottom", "top", "back", "front")}
+    s = np.linspace(0, 1, 101)
+    sides["right"] = condition("fixedDisplacement", displacement=table(
+        *((T*a, ((length - 1)*b, 0, 0)) for a, b in zip(s, smooth(s)))))
+    laws = {"elastic": 1e6, "flows": tauY}
+    bodies = [Body((8, 3, 3)[:dimensions], name=name, sides=sides, material={
+        "type": "HenckyVonMises", "rho": 1, "E": E, "nu": nu, "tauY": Y})
+        for name, Y in laws.items()]
+    case = SmallCase(tmp_path, bodies, T, preset=DEFAULT,
+                     control={"maxCo": 0.9}).run()
+    pressure = kappa*np.log(length)
+    expected = {"elastic": (pressure + 4*mu/3*np.log(length))/length,
+                "flows": (pressure - 2*tauY/3)/length}
+    energies = case.energies
+    with figures(f"squeezed metal, {dimensions}D") as f:
+        for name, sigma in expected.items():
+            f.atMost(f"{name}: error of sigma_xx / its own", largest(
+                case.at("sigma", region=name)[:, 0]/sigma - 1), 1e-3)
+        f.atMost("balance / largest strain energy",
+                 largest(energies["total:balance"])
+                 / max(energies["total:strain"]), 1e-4)
 
 
 def test_free_fall(tmp_path, figures):

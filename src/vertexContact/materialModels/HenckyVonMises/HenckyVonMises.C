@@ -487,16 +487,15 @@ void Foam::HenckyVonMises::waveFactorsOf
     const label end
 ) const
 {
-    materialModel::waveFactorsOf(s, factor, first, end);
-    if (!initial().on()) return;
-
     const scalar undeformed = kappa() + 4*mu()/3;
-    withDirections(s.nDim, [&](auto directions)
+    withScene(s, [&](auto directions, auto stretched)
     {
         constexpr int D = directions.value;
+        constexpr bool is = stretched.value;
         const auto atNode = [&](const label i, const trialState<D>& trial)
         {
-            const scalar J0 = initial().J(i), J = naturalJ<true, D>(s, i);
+            const scalar J0 = is ? initial().J(i) : 1;
+            const scalar J = naturalJ<is, D>(s, i);
             scalar least = GREAT;
             for (int k = 0; k < D; ++k)
             {
@@ -511,7 +510,7 @@ void Foam::HenckyVonMises::waveFactorsOf
                 max(scalar(1), (1 - least/undeformed)*J0/sqr(J))
             );
         };
-        forTrialStates<D, true>(initial(), s, mu(), first, end, atNode);
+        forTrialStates<D, is>(initial(), s, mu(), first, end, atNode);
     });
 }
 
