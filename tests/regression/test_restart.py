@@ -9,7 +9,8 @@ from vertexContactTests.caseTools import (DEFAULT, Case, Scene, checked,
                                           contents, differingFiles, runAgain,
                                           timeFolders)
 from vertexContactTests.collisions import END, SCENES as COLLISIONS, collision
-from vertexContactTests.smallCases import Body, SmallCase
+from vertexContactTests.smallCases import (RUBBER, Body, SmallCase, condition,
+                                           interface, table)
 
 SCENES = {
     "1D": Scene("dissimilar", elements=64, preset=DEFAULT,
@@ -86,3 +87,29 @@ def test_restart_of_a_time_whose_name_is_cut(tmp_path, figures):
         f.equal("files that differ", differingFiles([expected], [found]), [])
         f.equal("energies that differ", [
             key for key in energies if energies[key][-1] != again[key][-1]], [])
+
+
+def test_restart_of_own_steps_and_motions(tmp_path, figures):
+    """With steps of their own what is written of a region is older than its
+    time, by a way that differs from region to region: prescribed motions are
+    where they were then."""
+    fast = table((0, (0, 0, 0)), (10, (0.2, 0, 0)))
+    stiff = Body((4, 4), name="stiff", material=dict(RUBBER, E=400),
+                 sides={"right": "contact", "left": condition(
+                     "fixedDisplacement", displacement=fast)},
+                 velocity=(0.02, 0, 0))
+    soft = Body((4, 4), name="soft", start=(1, 0, 0),
+                sides={"left": "contact", "right": "contact"})
+    tool = Body((4, 4), name="tool", start=(2.1, 0, 0),
+                sides={"left": "contact"}, material={
+                    "type": "rigid", "rho": 1, "motion": {
+                        "displacement": table((0, (0, 0, 0)),
+                                              (10, (-1, 0, 0)))}})
+    case = SmallCase(
+        tmp_path, [stiff, soft, tool], 2, preset=DEFAULT,
+        interfaces={"bars": interface(("stiff", "right"), ("soft", "left")),
+                    "press": interface(("soft", "right"), ("tool", "left"))},
+        control={"subCycling": "yes", "writeInterval": 0.5})
+    ((expected,), _), ((found,), _) = runAgain(case)
+    with figures("restart, steps of their own, prescribed motions") as f:
+        f.equal("files that differ", differingFiles([expected], [found]), [])

@@ -606,6 +606,7 @@ BAD = {
               "motion"),
     "motion": ({"motion": {"velocity": (0, 0, 0),
                            "displacement": (0, 0, 0)}}, "motion"),
+    "jump": ({"motion": {"displacement": (0.1, 0, 0)}}, "motion"),
     "inertia": ({"inertia": (1, 0, 0, 1, 0, 3)}, "inertia"),
     "unknown": ({"E": 1}, "E"),
 }

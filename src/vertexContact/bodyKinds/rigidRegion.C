@@ -328,6 +328,35 @@ Foam::rigidRegion::rigidRegion
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+void Foam::rigidRegion::checkStart(const scalar time)
+{
+    // Pushed by a jump, others would get energy from nowhere
+    scalar most = 0;
+    for (label a = 0; a < dual_.nNodes(); ++a)
+    {
+        const vector jump
+        (
+            dual_.projected(rigid_->awayFromMotion(reference(a), time))
+        );
+        most = max
+        (
+            most,
+            mag(jump)/std::pow(dual_.nodeVolume()[a], scalar(1)/dual_.nDim())
+        );
+    }
+    reduce(most, maxOp<scalar>());
+    if (most > largestJump)
+    {
+        const dictionary dict(regionFiles::material(mesh_));
+        FatalIOErrorInFunction(dict)
+            << "Keyword 'motion' of the rigid region '" << name_ << "': at the "
+            << "start, time " << time << " s, the body is elsewhere (pointD): "
+            << "it would jump by " << most << " of the size of its cells, "
+            << largestJump << " are allowed" << exit(FatalIOError);
+    }
+}
+
+
 void Foam::rigidRegion::readRigid(const dictionary& record)
 {
     if (record.size()) rigid_->read(record);

@@ -98,7 +98,6 @@ Foam::variationalBody::variationalBody
     findSurfaceNodes();
     if (contact_.on()) findCompliances();
     readState();
-    checkStart();
 }
 
 

@@ -380,6 +380,28 @@ Foam::rigidBody::motionState Foam::rigidBody::motion
 }
 
 
+Foam::vector Foam::rigidBody::awayFromMotion
+(
+    const point& X,
+    const scalar time
+)
+{
+    if (!motion_.valid()) return vector::zero;
+
+    // What the next step would make up for: see leap()
+    const septernion pose(motion_->poseAt(time));
+    vector away
+    (
+        held() & (pose.transformPoint(start_) - start_ - now_.shift)
+    );
+    if (rotation_ == freedom::none)
+    {
+        away += (pose.r().R() - rotation()) & (X - start_);
+    }
+    return away;
+}
+
+
 Foam::rigidBody::motionState Foam::rigidBody::acceleration() const
 {
     motionState a;

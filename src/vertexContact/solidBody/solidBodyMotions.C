@@ -20,10 +20,6 @@ Description
 namespace
 {
 
-//- Largest jump of a surface at the start, by the thickness of its cells: the
-//  strain that they get with the first step
-constexpr Foam::scalar largestJump = 1e-3;
-
 //- Sine of a direction that leaves the mesh's: directions are written with few
 //  digits
 constexpr Foam::scalar leaves = 1e-6;
@@ -106,7 +102,33 @@ void Foam::solidBody::checkMotions() const
 }
 
 
-void Foam::solidBody::checkStart() const
+void Foam::solidBody::findSurfaceNodes()
+{
+    DynamicList<heldNodes::condition> motions;
+    scalarField touches(dual_.nNodes(), Zero);
+    for (const dualPatch& patch : dual_.patches())
+    {
+        const label patchi = patch.patchIndex;
+        if (!corners_.set(patchi)) continue;
+        const solidBoundaryCondition& its = condition(patchi);
+        if (its.motion())
+        {
+            motions.append(heldNodes::condition{patchi, its.motion()});
+        }
+        if (its.contact())
+        {
+            for (const label a : patch.cornerNode) touches[a] = 1;
+        }
+    }
+    held_ = heldNodes(dual_, symmetry_, motions);
+
+    contact_.findNodes(touches);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::solidBody::checkStart(const scalar time)
 {
     forAll(corners_, patchi)
     {
@@ -115,7 +137,7 @@ void Foam::solidBody::checkStart() const
         if (!motion || !motion->ofDisplacement()) continue;
 
         // Nodes that other patches hold, too, may be elsewhere: the least jump
-        const vector given(motion->value(time_.value()));
+        const vector given(motion->value(time));
         const dualPatch& patch = dual_.patches()[patchi];
         scalar least = GREAT;
         forAll(patch.cornerNode, k)
@@ -142,7 +164,7 @@ void Foam::solidBody::checkStart() const
                 << "Keyword 'boundaryField': patch '"
                 << pointU_.boundaryField()[patchi].patch().name()
                 << "' has a 'displacement' of " << given
-                << " m at the start, time " << time_.value()
+                << " m at the start, time " << time
                 << " s, but its nodes are elsewhere (pointD): the surface "
                 << "would jump by " << least << " of its cells, "
                 << largestJump << " are allowed" << exit(FatalIOError);
@@ -150,32 +172,6 @@ void Foam::solidBody::checkStart() const
     }
 }
 
-
-void Foam::solidBody::findSurfaceNodes()
-{
-    DynamicList<heldNodes::condition> motions;
-    scalarField touches(dual_.nNodes(), Zero);
-    for (const dualPatch& patch : dual_.patches())
-    {
-        const label patchi = patch.patchIndex;
-        if (!corners_.set(patchi)) continue;
-        const solidBoundaryCondition& its = condition(patchi);
-        if (its.motion())
-        {
-            motions.append(heldNodes::condition{patchi, its.motion()});
-        }
-        if (its.contact())
-        {
-            for (const label a : patch.cornerNode) touches[a] = 1;
-        }
-    }
-    held_ = heldNodes(dual_, symmetry_, motions);
-
-    contact_.findNodes(touches);
-}
-
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::solidBody::accountReactions()
 {

@@ -126,8 +126,10 @@ void Foam::solidSystem::readMotions(const dictionary& record)
     forAll(bodies_, i)
     {
         const dictionary its(recordOf(i, record));
-        bodies_[i].setLastStep(its.getOrDefault<scalar>("lastStep", step));
+        const scalar own = its.getOrDefault<scalar>("lastStep", step);
+        bodies_[i].setLastStep(own);
         bodies_[i].readRigid(its.subOrEmptyDict("rigid"));
+        bodies_[i].checkStart(runTime_.value() - 0.5*(step - own));
     }
 }
 
