@@ -75,7 +75,7 @@ void Foam::variationalBody::findForces
 }
 
 
-void Foam::variationalBody::addTractions()
+void Foam::variationalBody::addTractions(const scalar time)
 {
     const label d = dual_.nDim();
     externalForce_ = Zero;
@@ -90,10 +90,21 @@ void Foam::variationalBody::addTractions()
          && !condition(patchi).contact()
         )
         {
-            kernel_->addTractions
-            (
-                data_, patch, corners_[patchi], externalForce_
-            );
+            const solidBoundaryCondition& bc = condition(patchi);
+            if (bc.follows())
+            {
+                kernel_->addPressure
+                (
+                    data_, patch, bc.pressure(time), externalForce_
+                );
+            }
+            else
+            {
+                kernel_->addTractions
+                (
+                    data_, patch, corners_[patchi], externalForce_
+                );
+            }
             loaded = true;
         }
     }
@@ -150,7 +161,7 @@ void Foam::variationalBody::evaluate
 )
 {
     findForces(time, wavesAnew);
-    addTractions();
+    addTractions(time);
     evaluated_ = true;
     reusable_ = true;
     if (damping_.valid()) damping_->setTime(time);

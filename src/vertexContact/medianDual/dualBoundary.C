@@ -69,6 +69,39 @@ static scalar length(const scalar* v, const label nDim)
 }
 
 
+//- Area vector of a triangle of a face
+static void triangleArea
+(
+    const label i,
+    const label j,
+    const label k,
+    const scalar* x,
+    scalar* area
+)
+{
+    scalar p[3];
+    scalar q[3];
+    for (label c = 0; c < 3; ++c)
+    {
+        p[c] = x[3*j + c] - x[3*i + c];
+        q[c] = x[3*k + c] - x[3*i + c];
+    }
+
+    area[0] = 0.5*(p[1]*q[2] - p[2]*q[1]);
+    area[1] = 0.5*(p[2]*q[0] - p[0]*q[2]);
+    area[2] = 0.5*(p[0]*q[1] - p[1]*q[0]);
+}
+
+
+//- Area vector of a face in 2D, an edge from node 0 to node 1 with a
+//  right-handed turn outward
+static void edgeArea(const scalar* x, const scalar handedness, scalar* area)
+{
+    area[0] = handedness*(x[3] - x[1]);
+    area[1] = -handedness*(x[2] - x[0]);
+}
+
+
 //- A triangle of a face, with its weights (6 1 1)/8, (60)
 static void addTriangle
 (
@@ -82,21 +115,8 @@ static void addTriangle
 {
     const label corners[3] = {i, j, k};
 
-    scalar p[3];
-    scalar q[3];
-    for (label c = 0; c < 3; ++c)
-    {
-        p[c] = x[3*j + c] - x[3*i + c];
-        q[c] = x[3*k + c] - x[3*i + c];
-    }
-
-    const scalar area[3] =
-    {
-        0.5*(p[1]*q[2] - p[2]*q[1]),
-        0.5*(p[2]*q[0] - p[0]*q[2]),
-        0.5*(p[0]*q[1] - p[1]*q[0])
-    };
-
+    scalar area[3];
+    triangleArea(i, j, k, x, area);
     const scalar magnitude = length(area, 3);
 
     for (label a = 0; a < 3; ++a)
@@ -152,8 +172,7 @@ static void addFace3D
 }
 
 
-//- A face in 2D, an edge from node 0 to node 1 with a right-handed turn
-//  outward: weights (5 1)/6
+//- A face in 2D: weights (5 1)/6
 static void addFace2D
 (
     const scalar* x,
@@ -162,12 +181,8 @@ static void addFace2D
     cornerWeights& weights
 )
 {
-    const scalar area[2] =
-    {
-        handedness*(x[3] - x[1]),
-        -handedness*(x[2] - x[0])
-    };
-
+    scalar area[2];
+    edgeArea(x, handedness, area);
     const scalar magnitude = length(area, 2);
 
     for (label a = 0; a < 2; ++a)
@@ -375,6 +390,77 @@ static void calculatePatch
 } // End namespace Foam
 
 
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::dualPatch::cornerAreas
+(
+    const label nDim,
+    const face& f,
+    const scalar* x,
+    scalar* areas
+) const
+{
+    if (nDim == 1)
+    {
+        areas[0] = weightVectors[f.firstWeight];
+        return;
+    }
+
+    if (nDim == 2)
+    {
+        scalar area[2];
+        edgeArea(x, handedness, area);
+        for (label k = 0; k < 4; ++k) areas[k] = 0.5*area[k % 2];
+        return;
+    }
+
+    for (label k = 0; k < 3*f.size; ++k) areas[k] = 0;
+
+    // Each corner of a triangle has a third
+    const auto add = [&]
+    (
+        const label i,
+        const label j,
+        const label k,
+        const scalar share
+    )
+    {
+        scalar area[3];
+        triangleArea(i, j, k, x, area);
+        for (const label a : {i, j, k})
+        {
+            for (label c = 0; c < 3; ++c) areas[3*a + c] += share/3*area[c];
+        }
+    };
+
+    if (f.size == 3)
+    {
+        add(0, 1, 2, 1);
+        return;
+    }
+
+    // Nodes share weights where a triangle has both: across a diagonal only
+    // if it splits the face, and without any in the native dual
+    const scalar* s = weights.cdata() + f.firstWeight;
+    const bool first = s[2] > 0, second = s[7] > 0;
+    if (!first && !second)
+    {
+        for (label a = 0; a < f.size; ++a)
+        {
+            nativeDual::cornerArea(f.size, a, x, areas + 3*a);
+        }
+        return;
+    }
+
+    const scalar share = first && second ? 0.5 : 1;
+    for (label d = first ? 0 : 1; d < (second ? 2 : 1); ++d)
+    {
+        add(d, d + 1, d + 2, share);
+        add(d, d + 2, (d + 3) % 4, share);
+    }
+}
+
+
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
 void Foam::dualBoundary::calculate
@@ -396,6 +482,7 @@ void Foam::dualBoundary::calculate
         patches.set(patchi, new dualPatch());
         patches[patchi].patchIndex = patchi;
         patches[patchi].name = patch.name();
+        patches[patchi].handedness = nodes.handedness;
 
         if (!isA<emptyPolyPatch>(patch) && !isA<processorPolyPatch>(patch))
         {

@@ -132,15 +132,11 @@ void Foam::solidBody::solveConditions(const scalar time)
     {
         forAll(corners_, patchi)
         {
-            if
-            (
-                corners_.set(patchi)
-             && !(data_.variational && condition(patchi).contact())
-            )
-            {
-                findCorners(patchi);
-                condition(patchi).solve(time, corners_[patchi]);
-            }
+            if (!corners_.set(patchi)) continue;
+            const solidBoundaryCondition& bc = condition(patchi);
+            if (data_.variational && (bc.contact() || bc.follows())) continue;
+            findCorners(patchi);
+            bc.solve(time, corners_[patchi]);
         }
     });
 }

@@ -251,6 +251,44 @@ void variationalKernelTemplate<D, finite>::addTractions
 
 
 template<int D, bool finite>
+void variationalKernelTemplate<D, finite>::addPressure
+(
+    const vertexData& d,
+    const dualPatch& patch,
+    const scalar pressure,
+    scalarField& force
+) const
+{
+    const scalar* V = d.dual.nodeVolume().cdata();
+    const scalar* X = d.dual.nodePosition().cdata();
+    const scalar* disp = d.state.disp.cdata();
+    patch.forFaces([&](const dualPatch::face& f)
+    {
+        scalar x[4*D], areas[4*D];
+        for (label p = 0; p < f.size; ++p)
+        {
+            const label a = patch.cornerNode[f.start + p];
+            for (int i = 0; i < D; ++i)
+            {
+                x[p*D + i] = X[a*D + i];
+                if constexpr (finite) x[p*D + i] += disp[a*D + i];
+            }
+        }
+        patch.cornerAreas(D, f, x, areas);
+        for (label p = 0; p < f.size; ++p)
+        {
+            const label a = patch.cornerNode[f.start + p];
+            const scalar perV = pressure/V[a];
+            for (int i = 0; i < D; ++i)
+            {
+                force[a*D + i] -= perV*areas[p*D + i];
+            }
+        }
+    });
+}
+
+
+template<int D, bool finite>
 lanes variationalKernelTemplate<D, finite>::largestOf
 (
     const lanes& trace,

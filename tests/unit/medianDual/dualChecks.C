@@ -229,6 +229,18 @@ Foam::scalar Foam::dualChecks::weightError(const medianDual& dual)
             const scalar* w =
                 patch.weightVectors.cdata() + patch.weightStart[facei]*d;
 
+            scalar x[12];
+            scalar areas[12];
+            for (label a = 0; a < n; ++a)
+            {
+                const label node = patch.cornerNode[start + a];
+                for (label k = 0; k < d; ++k)
+                {
+                    x[a*d + k] = dual.nodePosition()[node*d + k];
+                }
+            }
+            patch.cornerAreas(d, patch.faceOf(facei), x, areas);
+
             for (label a = 0; a < n; ++a)
             {
                 const label corneri = start + a;
@@ -254,6 +266,13 @@ Foam::scalar Foam::dualChecks::weightError(const medianDual& dual)
                 for (label k = 0; k < d; ++k)
                 {
                     normalSqr += sqr(normal[k]);
+
+                    scalar difference = areas[a*d + k];
+                    for (label j = 0; j < n; ++j)
+                    {
+                        difference -= w[(a*n + j)*d + k];
+                    }
+                    worst = max(worst, mag(difference)/area);
                 }
 
                 worst = max(worst, mag(sum - area)/area);
