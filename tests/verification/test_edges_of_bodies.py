@@ -74,3 +74,37 @@ def test_corner_meets_corner(tmp_path, figures, cells, speeds, apart):
         f.atLeast("change of the momentum / initial",
                   largest(p - p[0])/largest(p[0] + case.momentumOf("b")[0]),
                   0.01)
+
+
+def test_corners_that_have_passed_do_not_pull(tmp_path, figures):
+    """A rigid square meets one that turns, corner at corner, and the corners
+    slide off each other between pairings: the overlap of both has a negative
+    area then. It pulled them into each other, and they left with 82 times
+    their energy."""
+    def square(name, centre, angle, velocity, spin):
+        R = np.array(((np.cos(angle), -np.sin(angle)),
+                      (np.sin(angle), np.cos(angle))))
+
+        def moved(X):
+            return np.hstack((X[:, :2] @ R.T + centre, X[:, 2:]))
+
+        def speed(X):
+            return np.stack((velocity - spin*(X[:, 1] - centre[1]),
+                             spin*(X[:, 0] - centre[0]), 0*X[:, 0]), axis=1)
+        return Body(
+            (2, 2), name=name, start=(-0.5, -0.5, 0), sides=sidesOf(2),
+            moved=moved, velocity=speed, material={"type": "rigid", "rho": 1})
+
+    case = finished(SmallCase(
+        tmp_path, (square("a", (0, 0), 0, 0.1, 0),
+                   square("b", (1.4, 0.8), 0.3, 0, 0.3)), 10,
+        {"all": {"surfaces": "all", "self": "no",
+                 "law": {"type": "frictionless"}}},
+        control={"adjustTimeStep": "no", "deltaT": 0.004},
+        functions=("contactForces",), preset=DEFAULT))
+    E = case.keptEnergy
+    with figures("a rigid corner slides off another one") as f:
+        f.atMost("largest energy / initial", E.max()/E[0], 1 + 1e-6)
+        f.atLeast("least area of a pair that touches [m2]",
+                  case.contact("all")["area"].min(), 0)
+        f.atLeast("largest loss of energy / initial", 1 - E.min()/E[0], 0.1)

@@ -220,6 +220,50 @@ void Foam::bodyInterface::correctNear()
 
 
 template<int nNodes>
+void Foam::bodyInterface::releasePulls()
+{
+    typedef overlapKernel<nNodes> kernelType;
+    const kernelType& kernel = std::get<kernelType>(kernels_);
+    const auto acting = [&](const auto& visit)
+    {
+        for (nearBlock<nNodes>& near : nearBlocks<nNodes>())
+        {
+            const typename kernelType::block& b = kernel[near.block];
+            for (label k = 0; k < near.size; ++k)
+            {
+                contactLaw::problem& p = near.problems[k];
+                if (p.result.state == acousticRiemann::status::open) continue;
+                const int l = near.lane[k];
+                visit(p, b.minus.slot[0][l], b.plus.slot[0][l]);
+            }
+        }
+    };
+
+    bool pulls = false;
+    acting([&](const contactLaw::problem& p, label, label)
+    {
+        pulls = pulls || p.area < 0;
+    });
+    if (!pulls) return;
+
+    scalarField onMinus(toMinus_.size(), Zero), onPlus(toPlus_.size(), Zero);
+    acting([&](const contactLaw::problem& p, const label m, const label s)
+    {
+        onMinus[m] += p.area;
+        onPlus[s] += p.area;
+    });
+    acting([&](contactLaw::problem& p, const label m, const label s)
+    {
+        if (p.area < 0 && onMinus[m] <= 0 && onPlus[s] <= 0)
+        {
+            p.result.state = acousticRiemann::status::open;
+            p.result.t = Zero;
+        }
+    });
+}
+
+
+template<int nNodes>
 void Foam::bodyInterface::solveNear()
 {
     typedef overlapKernel<nNodes> kernelType;
@@ -229,10 +273,14 @@ void Foam::bodyInterface::solveNear()
 
     for (nearBlock<nNodes>& near : nearBlocks<nNodes>())
     {
-        const typename kernelType::block& b = kernel[near.block];
         UList<contactLaw::problem> problems(near.problems, near.size);
         law_->solve(problems);
+    }
+    releasePulls<nNodes>();
 
+    for (nearBlock<nNodes>& near : nearBlocks<nNodes>())
+    {
+        const typename kernelType::block& b = kernel[near.block];
         typename kernelType::vectorType force;
         bool acts[nLanes];
         for (int l = 0; l < nLanes; ++l)
