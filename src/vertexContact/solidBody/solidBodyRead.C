@@ -286,14 +286,20 @@ void Foam::solidBody::readState()
     }
     if (contact_.on())
     {
-        const auto status = readIfPresent<scalar>("contactStatus", dimless);
-        if (status.valid())
+        const auto read = [&]
+        (
+            const word& name, const dimensionSet& dims, scalarField& values
+        )
         {
-            for (label a = 0; a < n; ++a)
+            const auto field = readIfPresent<scalar>(name, dims);
+            for (label a = 0; field.valid() && a < n; ++a)
             {
-                contact_.status[a] = status().primitiveField()[point[a]];
+                values[a] = field().primitiveField()[point[a]];
             }
-        }
+        };
+        read("contactStatus", dimless, contact_.status);
+        read("contactGap", dimLength, contact_.gap);
+        contact_.keepGaps();
     }
 }
 

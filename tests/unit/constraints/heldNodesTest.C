@@ -174,15 +174,26 @@ TEST_CASE("what friction remembers", "[contact][serial]")
     // As deformed, ways are twice as long
     const auto F = [](const label) { return tensor(2*tensor::I); };
     const labelList nodes({3, 5});
-    memory.add(3, 1, vector(4, 0, 0), 1);
-    memory.add(3, 3, vector(0, 4, 0), 1);
+    const auto add = [&]
+    (
+        const scalar area, const vector& way, const scalar kept
+    )
+    {
+        slideMemory::sums s;
+        s.way = area*way;
+        s.area = area;
+        s.kept = area*kept;
+        memory.add(3, s);
+    };
+    add(1, vector(4, 0, 0), 1);
+    add(3, vector(0, 4, 0), 1);
     memory.finish(b.dual.sharing(), nodes, F);
     CHECK(mag(memory.ways()[3] - vector(0.5, 1.5, 0)) <= 1e-15);
     CHECK(mag(memory.ways()[5]) == 0);
 
     // Half is kept on a third of the area; nothing is added
-    memory.add(3, 1, vector::zero, 0.5);
-    memory.add(3, 2, vector::zero, 1);
+    add(1, vector::zero, 0.5);
+    add(2, vector::zero, 1);
     memory.finish(b.dual.sharing(), nodes, F);
     CHECK(mag(memory.ways()[3] - (2.5/3)*vector(0.5, 1.5, 0)) <= 1e-15);
 

@@ -69,6 +69,24 @@ void Foam::bodyInterface::resize()
 }
 
 
+void Foam::bodyInterface::findAskedTwice()
+{
+    askedTwice_.setSize(pairing_->plusCorners().size());
+    askedTwice_ = false;
+    if (!pairing_->map()) return;
+
+    boolList asked(askedTwice_);
+    for (const labelList& some : pairing_->map()->subMap())
+    {
+        for (const label k : some)
+        {
+            askedTwice_[k] = asked[k];
+            asked[k] = true;
+        }
+    }
+}
+
+
 void Foam::bodyInterface::setKernel()
 {
     const List<contactOverlap>& overlaps = pairing_->overlaps();
@@ -137,6 +155,8 @@ void Foam::bodyInterface::setKernel()
         kernel.set(overlaps, slots, firstGap);
         nearBlocks<N.value>().clear();
     });
+    pairedAnew_ = true;
+    findAskedTwice();
 }
 
 
@@ -398,7 +418,7 @@ void Foam::bodyInterface::solve(const scalar, const bool firstStage)
                 plusArea*scalarRecord::mean(over.plus, sent_).stretch;
         }
 
-        count(p, over.width, over.depth, minusForce, plusForce);
+        count(p, p.gap, over.width, over.depth, minusForce, plusForce);
         statistics_.frictionPower += minusForce*slipPower(p);
 
         const contactLaw::problem q(fromPlus(p));

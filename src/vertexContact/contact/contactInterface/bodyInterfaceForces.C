@@ -43,6 +43,8 @@ void Foam::bodyInterface::findStates
         s.n = area/s.stretch;
         s.compliance = body.surfaceCompliance(side.patchi, k);
         s.inner = rim.size() && rim[k] ? 0 : 1;
+        s.gap = body.contact().pairedGap[node];
+        s.shared = 0;
     }
 }
 
@@ -81,7 +83,7 @@ template<int nNodes>
 void Foam::bodyInterface::findNear()
 {
     typedef overlapKernel<nNodes> kernelType;
-    const kernelType& kernel = std::get<kernelType>(kernels_);
+    kernelType& kernel = std::get<kernelType>(kernels_);
     std::vector<nearBlock<nNodes>>& all = nearBlocks<nNodes>();
 
     const solidBody& body = *minus_.body;
@@ -111,6 +113,8 @@ void Foam::bodyInterface::findNear()
 
     typename kernelType::levers lever;
     typename kernelType::place at;
+    const bool anew = pairedAnew_ && !bonded;
+    pairedAnew_ = false;
     all.clear();
     for (label i = 0; i < kernel.size(); ++i)
     {
@@ -127,6 +131,13 @@ void Foam::bodyInterface::findNear()
             tellGap(b, l, at.distance[l]);
         }
         if (!at.any()) continue;
+        if (anew)
+        {
+            kernel.setLevel
+            (
+                i, minusStates_.cdata(), plusStates_.cdata(), at
+            );
+        }
 
         all.emplace_back();
         nearBlock<nNodes>& near = all.back();
@@ -179,8 +190,8 @@ void Foam::bodyInterface::findNear()
             tellGap(b, l, p.gap);
             lose
             (
-                closed_[slot], minus_, minusCorners_[slot], p.gap,
-                lostDepth*b.depth[l], b.depth[l]
+                closed_[slot], minus_, minusCorners_[slot],
+                p.gap + b.level[l], lostDepth*b.depth[l], b.depth[l]
             );
         }
     }
@@ -254,7 +265,8 @@ void Foam::bodyInterface::releasePulls()
     });
     acting([&](contactLaw::problem& p, const label m, const label s)
     {
-        if (p.area < 0 && onMinus[m] <= 0 && onPlus[s] <= 0)
+        const bool elsewhere = plusStates_[s].shared > 0.5;
+        if (p.area < 0 && onMinus[m] <= 0 && onPlus[s] <= 0 && !elsewhere)
         {
             p.result.state = acousticRiemann::status::open;
             p.result.t = Zero;
@@ -292,7 +304,10 @@ void Foam::bodyInterface::solveNear()
         {
             const contactLaw::problem& p = near.problems[k];
             const int l = near.lane[k];
-            count(p, b.width[l], b.depth[l], p.area, p.area);
+            count
+            (
+                p, p.gap + b.level[l], b.width[l], b.depth[l], p.area, p.area
+            );
             if (p.result.state == acousticRiemann::status::open) continue;
 
             acts[l] = true;
@@ -317,6 +332,7 @@ void Foam::bodyInterface::startForces()
     statistics_ = statistics();
     findStates(minus_, minusCorners_, minusStates_);
     findStates(plus_, pairing_->plusCorners(), ownStates_);
+    forAll(ownStates_, i) ownStates_[i].shared = askedTwice_[i];
 }
 
 
