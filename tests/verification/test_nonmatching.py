@@ -417,11 +417,13 @@ def test_sliding_stops_as_friction_says(tmp_path, figures):
 @pytest.mark.parametrize("distortion", (0, 0.2))
 @pytest.mark.parametrize("distance", (0.1, 0.4))
 @pytest.mark.parametrize("dimensions", (2, 3))
-def test_uniform_pressure_while_sliding(tmp_path, figures, dimensions, distance,
-                                        distortion):
+@pytest.mark.parametrize("first", ("block", "base"))
+def test_uniform_pressure_while_sliding(tmp_path, figures, first, dimensions,
+                                        distance, distortion):
     """A block under a uniform pressure slides, in 3D obliquely, on a flat rigid
     body with other faces, by ten of them: its strain stays as it is, however
-    far nodes move until they are paired again."""
+    far nodes move until they are paired again, and whichever side is the
+    first."""
     strain, elastic = 0.01, {"type": "linearElastic", "rho": 1, "E": 1, "nu": 0}
     block = Body(
         cells=(7, 3, 5)[:dimensions], name="block", material=elastic,
@@ -436,10 +438,11 @@ def test_uniform_pressure_while_sliding(tmp_path, figures, dimensions, distance,
         start=(-0.53, -0.5, -deep), size=(3, 0.5, 1 + 3*deep),
         sides={"top": "contact"}, material={
             "type": "rigid", "rho": 1000, "motion": {"velocity": (0, 0, 0)}})
+    sides = ("block", "bottom"), ("base", "top")
     case = SmallCase(
         tmp_path, (block, base), 5, {"contact": interface(
-            ("block", "bottom"), ("base", "top"), pairing="nearestFace",
-            updateDistance=distance)},
+            *(sides if first == "block" else sides[::-1]),
+            pairing="nearestFace", updateDistance=distance)},
         functions=("contactForces",), preset=DEFAULT,
         control={"maxCo": 0.9, "writeInterval": 5/3}).run()
     F = [case.at("F", t, "block").reshape(-1, 9)[:, 4] for t in case.times[1:]]
@@ -454,3 +457,26 @@ def test_uniform_pressure_while_sliding(tmp_path, figures, dimensions, distance,
                  limit)
         f.atMost("gapForce / force", largest(
             case.contact("contact")["gapForce"])/strain, 1e-12)
+
+
+@pytest.mark.parametrize("law", ("frictionless", coulomb(0.3)), ids=str)
+def test_order_of_sides(tmp_path, figures, law):
+    """Blocks that meet, slide along each other and off: which of the sides is
+    the first makes no difference."""
+    blocks = (
+        Body((4, 4), name="a", sides={"right": "contact"},
+             velocity=(0.1, 0.1, 0)),
+        Body((5, 3), name="b", start=(1.01, 0.2, 0), sides={"left": "contact"},
+             velocity=(-0.1, 0, 0)))
+    sides = ("a", "right"), ("b", "left")
+    one, other = (SmallCase(
+        tmp_path/name, blocks, 2.5, {"contact": interface(
+            *order, law, pairing="nearestFace")},
+        preset=DEFAULT, control={"maxCo": 0.9}).run()
+        for name, order in (("one", sides), ("other", sides[::-1])))
+    with figures(f"order of the sides, {law}") as f:
+        for region in "ab":
+            for name in "pointD", "pointU":
+                D, E = (case.at(name, region=region) for case in (one, other))
+                f.atMost(f"{region}, {name}: difference / largest",
+                         largest(D - E)/largest(D), 1e-12)

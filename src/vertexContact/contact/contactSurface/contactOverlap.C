@@ -121,14 +121,21 @@ struct movingArea
     vector2D growth = vector2D::zero;
     FixedList<vector2D, 2> momentGrowth =
         FixedList<vector2D, 2>(vector2D::zero);
+    vector2D sweep = vector2D::zero;
 
-    //- An edge, by its middle, and length times outer normal, as far as it
-    //  follows
-    void addEdge(const vector2D& middle, const vector2D& normal)
+    //- An edge, by its middle, and length times outer normal
+    void addEdge
+    (
+        const vector2D& middle,
+        const vector2D& normal,
+        const scalar follows
+    )
     {
-        growth += normal;
-        momentGrowth[0] += middle.x()*normal;
-        momentGrowth[1] += middle.y()*normal;
+        const vector2D moves(follows*normal);
+        growth += moves;
+        momentGrowth[0] += middle.x()*moves;
+        momentGrowth[1] += middle.y()*moves;
+        sweep += max(follows - 0.5, scalar(0))*normal;
     }
 
     //- \param twice   its area
@@ -148,8 +155,11 @@ struct movingArea
         {
             const vector2D& a = g.p[i];
             const vector2D& b = g.p[(i + 1) % g.size];
-            const vector2D d(g.follows[i]*(b - a));
-            addEdge(0.5*(a + b) - origin, vector2D(d.y(), -d.x()));
+            const vector2D d(b - a);
+            addEdge
+            (
+                0.5*(a + b) - origin, vector2D(d.y(), -d.x()), g.follows[i]
+            );
         }
     }
 
@@ -161,6 +171,7 @@ struct movingArea
         const vector2D cw(momentGrowth[1]/area - c.y()*g);
         overlapMotion m;
         m.growth = g.x()*u + g.y()*w;
+        m.sweep = (sweep.x()*u + sweep.y()*w)/area;
         if (w == vector::zero)
         {
             // There is one direction only
@@ -589,8 +600,8 @@ void Foam::contactOverlaps::append
                 const scalar half = 0.5*(to - from);
                 movingArea& m = moving[k];
                 m.area = to - from;
-                m.addEdge(vector2D(half, 0), vector2D(follows(true), 0));
-                m.addEdge(vector2D(-half, 0), vector2D(-follows(false), 0));
+                m.addEdge(vector2D(half, 0), vector2D(1, 0), follows(true));
+                m.addEdge(vector2D(-half, 0), vector2D(-1, 0), follows(false));
             }
         }
     }
