@@ -459,22 +459,25 @@ def test_uniform_pressure_while_sliding(tmp_path, figures, first, dimensions,
             case.contact("contact")["gapForce"])/strain, 1e-12)
 
 
-@pytest.mark.parametrize("law", ("frictionless", coulomb(0.3)), ids=str)
-def test_order_of_sides(tmp_path, figures, law):
+@pytest.mark.parametrize("dimensions", (2, 3))
+@pytest.mark.parametrize("law", ("frictionless", coulomb(0.3)), ids=(
+    "frictionless", "friction"))
+def test_order_of_sides(tmp_path, figures, law, dimensions):
     """Blocks that meet, slide along each other and off: which of the sides is
     the first makes no difference."""
     blocks = (
-        Body((4, 4), name="a", sides={"right": "contact"},
-             velocity=(0.1, 0.1, 0)),
-        Body((5, 3), name="b", start=(1.01, 0.2, 0), sides={"left": "contact"},
-             velocity=(-0.1, 0, 0)))
+        Body((4, 4, 3)[:dimensions], name="a", sides={"right": "contact"},
+             velocity=(0.1, 0.1, 0.03*(dimensions == 3))),
+        Body((5, 3, 4)[:dimensions], name="b", start=(1.01, 0.2, 0),
+             sides={"left": "contact"}, velocity=(-0.1, 0, 0)))
     sides = ("a", "right"), ("b", "left")
     one, other = (SmallCase(
         tmp_path/name, blocks, 2.5, {"contact": interface(
             *order, law, pairing="nearestFace")},
         preset=DEFAULT, control={"maxCo": 0.9}).run()
         for name, order in (("one", sides), ("other", sides[::-1])))
-    with figures(f"order of the sides, {law}") as f:
+    kind = "frictionless" if law == "frictionless" else "friction"
+    with figures(f"order of the sides, {dimensions}D, {kind}") as f:
         for region in "ab":
             for name in "pointD", "pointU":
                 D, E = (case.at(name, region=region) for case in (one, other))

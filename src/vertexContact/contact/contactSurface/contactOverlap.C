@@ -178,7 +178,11 @@ struct movingArea
             m.drift = cu.x()*tensor::I;
             return m;
         }
-        m.drift = u*(cu.x()*u + cu.y()*w) + w*(cw.x()*u + cw.y()*w);
+        // Surfaces that turn have a way across the plane, too: half of it, as
+        // either side sees it
+        const vector n(u ^ w);
+        m.drift =
+            u*(cu.x()*u + cu.y()*w) + w*(cw.x()*u + cw.y()*w) + 0.5*n*n;
         return m;
     }
 };
