@@ -6,7 +6,7 @@ import pytest
 
 from vertexContactTests.caseTools import DEFAULT
 from vertexContactTests.smallCases import (FLOOR, SIDES, Body, SmallCase,
-                                           condition, interface, largest)
+                                           largest)
 
 
 def onto(direction):
@@ -49,41 +49,6 @@ def test_falls_on_its(tmp_path, figures, nDim, direction, speed):
                  case.energies["total:contactWork"].max()/E[0], 1e-6)
         f.atLeast("change of the momentum / initial", (p.max() - p[0])/-p[0],
                     0.4)
-
-
-@pytest.mark.parametrize("base", ("rigid", "stiff"))
-@pytest.mark.parametrize("nDim, speed", ((2, 0.05), (2, 0.005), (3, 0.05)))
-def test_wedge_meets_face(tmp_path, figures, nDim, speed, base):
-    """The edge of a wedge of few cells comes between the nodes of a face: its
-    faces are found inside. It was pushed out, with two to six times its
-    energy."""
-    def wedge(X):
-        r = np.maximum(abs(X[:, 0]), abs(X[:, 2]) if nDim == 3 else 0)
-        return X + np.outer(1.5*r*(1 - X[:, 1]), (0, 1, 0))
-
-    law = {"rigid": {"type": "rigid", "rho": 1, "freeTranslation": "()",
-                     "freeRotation": "()"},
-           "stiff": {"type": "linearElastic", "rho": 1, "E": 1000, "nu": 0.3}}
-    held = {"bottom": condition("fixedVelocity", velocity="(0 0 0)")}
-    bodies = (
-        Body((4,)*nDim, name="wedge", start=(-0.5, 0.002, -0.5*(nDim == 3)),
-             moved=wedge, velocity=(0, -speed, 0),
-             sides={"bottom": "contact"}),
-        Body((6, 2, 6)[:nDim], name="base", start=(-1.25, -1, -1.5*(nDim == 3)),
-             size=(3, 1, 3 if nDim == 3 else 1), material=law[base],
-             sides={"top": "contact", **(held if base == "stiff" else {})}))
-    case = finished(SmallCase(
-        tmp_path, bodies, 0.15/speed, {"it": interface(
-            ("wedge", "bottom"), ("base", "top"), pairing="nearestFace")},
-        control={"maxCo": 0.9, "writeInterval": 0.15/speed}, preset=DEFAULT))
-    E = case.keptEnergy
-    p = case.momentumOf("wedge")[:, 1]
-    with figures(f"wedge on {base} base, {nDim}D, {speed}") as f:
-        f.atMost("largest energy / initial", E.max()/E[0], 1 + 1e-6)
-        f.atMost("work of contact / initial energy",
-                 case.energies["total:contactWork"].max()/E[0], 1e-6)
-        f.atLeast("change of the momentum / initial", (p.max() - p[0])/-p[0],
-                  0.2)
 
 
 @pytest.mark.parametrize("cells, speeds, apart", (

@@ -75,7 +75,7 @@ def checkSpheres(f, plane, spheres):
     f.within("peak force, spheres / plane",
              force(spheres).max()/force(plane).max(), 1, 0.02)
     f.within("duration, spheres / plane", duration(spheres)/duration(plane), 1,
-             0.015)
+             0.01)
     f.within("speed away, spheres / plane", rebound(spheres)/rebound(plane), 1,
              0.02)
     f.atMost("change of total momentum / a sphere's",

@@ -29,8 +29,7 @@ void Foam::bodyContact::start()
     on_ = true;
     const label n = dual_.nNodes();
     status.setSize(n, Zero);
-    gap.setSize(n, untold);
-    pairedGap.setSize(n, untold);
+    gap.setSize(n, GREAT);
     force.setSize(n, vector::zero);
     area.setSize(n, Zero);
 }
@@ -70,14 +69,6 @@ void Foam::bodyContact::clearAll()
 {
     for (const label a : nodes_) gap[a] = GREAT;
     clear();
-}
-
-
-void Foam::bodyContact::keepGaps()
-{
-    if (!on_) return;
-    pairedGap = gap;
-    dual_.sharing().min(pairedGap.data(), 1);
 }
 
 

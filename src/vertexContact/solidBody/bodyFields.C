@@ -226,7 +226,7 @@ void Foam::bodyFields::visitContactFields(const Use& use) const
             scalar(0), "contactGap", dimLength,
             [&](const label a)
             {
-                return mag(gap[a]) < bodyContact::far ? gap[a] : 0;
+                return gap[a] < bodyContact::far ? gap[a] : 0;
             }
         );
         if (contact.slide.on())

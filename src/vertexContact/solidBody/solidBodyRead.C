@@ -286,20 +286,14 @@ void Foam::solidBody::readState()
     }
     if (contact_.on())
     {
-        const auto read = [&]
-        (
-            const word& name, const dimensionSet& dims, scalarField& values
-        )
+        const auto status = readIfPresent<scalar>("contactStatus", dimless);
+        if (status.valid())
         {
-            const auto field = readIfPresent<scalar>(name, dims);
-            for (label a = 0; field.valid() && a < n; ++a)
+            for (label a = 0; a < n; ++a)
             {
-                values[a] = field().primitiveField()[point[a]];
+                contact_.status[a] = status().primitiveField()[point[a]];
             }
-        };
-        read("contactStatus", dimless, contact_.status);
-        read("contactGap", dimLength, contact_.gap);
-        contact_.keepGaps();
+        }
     }
 }
 

@@ -46,7 +46,6 @@ Foam::contactSystem::contactSystem
     leaping_(leaping),
     iterations_(iterations),
     oldStatus_(bodies.size()),
-    oldGap_(bodies.size()),
     oldSlide_(bodies.size())
 {}
 
@@ -152,7 +151,6 @@ void Foam::contactSystem::pair(const scalar time, const bool all)
 {
     const stopwatch watch(pairingSeconds_);
     bool found = false;
-    for (solidBody& body : bodies_) body.contact().keepGaps();
     for (contactInterface& contact : interfaces_)
     {
         if (contact.moves()) found = contact.update(time, all) || found;
@@ -280,7 +278,6 @@ void Foam::contactSystem::keepStart()
     forAll(bodies_, i)
     {
         oldStatus_[i] = bodies_[i].contact().status;
-        oldGap_[i] = bodies_[i].contact().gap;
         oldSlide_[i] = bodies_[i].contact().slide.ways();
     }
     for (contactInterface& contact : interfaces_)
@@ -295,7 +292,6 @@ void Foam::contactSystem::restoreStart()
     forAll(bodies_, i)
     {
         bodies_[i].contact().status = oldStatus_[i];
-        bodies_[i].contact().gap = oldGap_[i];
         // What began to remember in this step had nothing to remember
         vectorField& ways = bodies_[i].contact().slide.ways();
         if (oldSlide_[i].size()) ways = oldSlide_[i];

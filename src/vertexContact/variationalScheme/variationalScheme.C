@@ -173,7 +173,10 @@ void Foam::variationalScheme::findFilter()
 {
     removedShare removed(kernel_, data_, x_);
     const scalar largest = lanczos::largestOf(removed, data_, lanczos::steps);
-    x_.filter = 1/(std::ceil(hundredths*largest)/hundredths);
+
+    // Of alike cells it may be hundredths, up to round-off
+    x_.filter =
+        hundredths/std::ceil(hundredths*largest*(1 - lanczos::roundOff));
 }
 
 

@@ -155,7 +155,6 @@ void Foam::bodyInterface::setKernel()
         kernel.set(overlaps, slots, firstGap);
         nearBlocks<N.value>().clear();
     });
-    pairedAnew_ = true;
     findAskedTwice();
 }
 
@@ -418,7 +417,7 @@ void Foam::bodyInterface::solve(const scalar, const bool firstStage)
                 plusArea*scalarRecord::mean(over.plus, sent_).stretch;
         }
 
-        count(p, p.gap, over.width, over.depth, minusForce, plusForce);
+        count(p, over.width, over.depth, minusForce, plusForce);
         statistics_.frictionPower += minusForce*slipPower(p);
 
         const contactLaw::problem q(fromPlus(p));

@@ -43,7 +43,6 @@ void Foam::bodyInterface::findStates
         s.n = area/s.stretch;
         s.compliance = body.surfaceCompliance(side.patchi, k);
         s.inner = rim.size() && rim[k] ? 0 : 1;
-        s.gap = body.contact().pairedGap[node];
         s.shared = 0;
     }
 }
@@ -83,7 +82,7 @@ template<int nNodes>
 void Foam::bodyInterface::findNear()
 {
     typedef overlapKernel<nNodes> kernelType;
-    kernelType& kernel = std::get<kernelType>(kernels_);
+    const kernelType& kernel = std::get<kernelType>(kernels_);
     std::vector<nearBlock<nNodes>>& all = nearBlocks<nNodes>();
 
     const solidBody& body = *minus_.body;
@@ -113,8 +112,6 @@ void Foam::bodyInterface::findNear()
 
     typename kernelType::levers lever;
     typename kernelType::place at;
-    const bool anew = pairedAnew_ && !bonded;
-    pairedAnew_ = false;
     all.clear();
     for (label i = 0; i < kernel.size(); ++i)
     {
@@ -131,13 +128,6 @@ void Foam::bodyInterface::findNear()
             tellGap(b, l, at.distance[l]);
         }
         if (!at.any()) continue;
-        if (anew)
-        {
-            kernel.setLevel
-            (
-                i, minusStates_.cdata(), plusStates_.cdata(), at
-            );
-        }
 
         all.emplace_back();
         nearBlock<nNodes>& near = all.back();
@@ -190,8 +180,8 @@ void Foam::bodyInterface::findNear()
             tellGap(b, l, p.gap);
             lose
             (
-                closed_[slot], minus_, minusCorners_[slot],
-                p.gap + b.level[l], lostDepth*b.depth[l], b.depth[l]
+                closed_[slot], minus_, minusCorners_[slot], p.gap,
+                lostDepth*b.depth[l], b.depth[l]
             );
         }
     }
@@ -304,10 +294,7 @@ void Foam::bodyInterface::solveNear()
         {
             const contactLaw::problem& p = near.problems[k];
             const int l = near.lane[k];
-            count
-            (
-                p, p.gap + b.level[l], b.width[l], b.depth[l], p.area, p.area
-            );
+            count(p, b.width[l], b.depth[l], p.area, p.area);
             if (p.result.state == acousticRiemann::status::open) continue;
 
             acts[l] = true;

@@ -221,7 +221,6 @@ void Foam::contactInterface::countClosing
 void Foam::contactInterface::count
 (
     const contactLaw::problem& p,
-    const scalar gap,
     const scalar width,
     const scalar depth,
     const scalar minusArea,
@@ -230,10 +229,10 @@ void Foam::contactInterface::count
 {
     statistics& s = statistics_;
 
-    if (p.touching && !law_->bonded() && gap < 0)
+    if (p.touching && !law_->bonded() && p.gap < 0)
     {
-        s.penetration = max(s.penetration, -gap);
-        s.relativePenetration = max(s.relativePenetration, -gap/width);
+        s.penetration = max(s.penetration, -p.gap);
+        s.relativePenetration = max(s.relativePenetration, -p.gap/width);
     }
     if (p.result.state == acousticRiemann::status::open)
     {

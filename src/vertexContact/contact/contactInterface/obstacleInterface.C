@@ -256,7 +256,7 @@ void Foam::obstacleInterface::solveForces(const bool firstStage)
     {
         const label k = planes_[i].corner;
         const contactLaw::problem& p = problems_[i];
-        count(p, p.gap, width_[k], depth[k], p.area, p.area);
+        count(p, width_[k], depth[k], p.area, p.area);
     }
     correct(firstStage);
 }
@@ -544,7 +544,7 @@ void Foam::obstacleInterface::solve(const scalar time, const bool firstStage)
     {
         const label k = planes_[i].corner;
         const contactLaw::problem& p = problems_[i];
-        count(p, p.gap, width_[k], depth[k], p.area, p.area);
+        count(p, width_[k], depth[k], p.area, p.area);
         statistics_.frictionPower += p.area*slipPower(p);
         const contactAnswer told(answer(p, p.area));
         setState(side_, k, told, firstStage);
