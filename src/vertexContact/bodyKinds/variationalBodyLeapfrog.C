@@ -91,9 +91,9 @@ void Foam::variationalBody::addTractions(const scalar time)
         )
         {
             const solidBoundaryCondition& bc = condition(patchi);
-            if (bc.follows())
+            if (bc.isPressure())
             {
-                kernel_->addPressure
+                kernel_->addSurfacePressure
                 (
                     data_, patch, bc.pressure(time), externalForce_
                 );

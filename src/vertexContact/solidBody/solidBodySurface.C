@@ -134,7 +134,8 @@ void Foam::solidBody::solveConditions(const scalar time)
         {
             if (!corners_.set(patchi)) continue;
             const solidBoundaryCondition& bc = condition(patchi);
-            if (data_.variational && (bc.contact() || bc.follows())) continue;
+            const bool elsewhere = bc.contact() || bc.isPressure();
+            if (data_.variational && elsewhere) continue;
             findCorners(patchi);
             bc.solve(time, corners_[patchi]);
         }

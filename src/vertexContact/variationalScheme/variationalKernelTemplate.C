@@ -251,7 +251,7 @@ void variationalKernelTemplate<D, finite>::addTractions
 
 
 template<int D, bool finite>
-void variationalKernelTemplate<D, finite>::addPressure
+void variationalKernelTemplate<D, finite>::addSurfacePressure
 (
     const vertexData& d,
     const dualPatch& patch,

@@ -7,8 +7,9 @@ Class
 
 Description
     Follower load on pointU: a pressure on the current surface. In the default
-    scheme it acts on the faces as they are (variationalKernel::addPressure),
-    in the paper's on what the deformation gradient of the nodes makes of them,
+    scheme it acts on the faces as they are (variationalKernel,
+    addSurfacePressure), in the paper's on what the deformation gradient of the
+    nodes makes of them,
     t^B = -p |H N| n = -p H N per reference area (Nanson's rule).
 
 Usage
@@ -59,7 +60,7 @@ public:
 
     void write(Ostream& os) const { pressure_.write(os); }
 
-    virtual bool follows() const { return true; }
+    virtual bool isPressure() const { return true; }
 
     virtual scalar pressure(const scalar time) const { return pressure_(time); }
 

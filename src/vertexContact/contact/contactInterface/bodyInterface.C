@@ -69,18 +69,18 @@ void Foam::bodyInterface::resize()
 }
 
 
-void Foam::bodyInterface::findAskedTwice()
+void Foam::bodyInterface::findSharedCorners()
 {
-    askedTwice_.setSize(pairing_->plusCorners().size());
-    askedTwice_ = false;
+    sharedCorners_.setSize(pairing_->plusCorners().size());
+    sharedCorners_ = false;
     if (!pairing_->map()) return;
 
-    boolList asked(askedTwice_);
+    boolList asked(sharedCorners_);
     for (const labelList& some : pairing_->map()->subMap())
     {
         for (const label k : some)
         {
-            askedTwice_[k] = asked[k];
+            sharedCorners_[k] = asked[k];
             asked[k] = true;
         }
     }
@@ -155,7 +155,7 @@ void Foam::bodyInterface::setKernel()
         kernel.set(overlaps, slots, firstGap);
         nearBlocks<N.value>().clear();
     });
-    findAskedTwice();
+    findSharedCorners();
 }
 
 

@@ -247,16 +247,21 @@ void Foam::bodyInterface::releasePulls()
     });
     if (!pulls) return;
 
-    scalarField onMinus(toMinus_.size(), Zero), onPlus(toPlus_.size(), Zero);
+    minusPressed_.setSize(toMinus_.size());
+    plusPressed_.setSize(toPlus_.size());
+    minusPressed_ = Zero;
+    plusPressed_ = Zero;
     acting([&](const contactLaw::problem& p, const label m, const label s)
     {
-        onMinus[m] += p.area;
-        onPlus[s] += p.area;
+        minusPressed_[m] += p.area;
+        plusPressed_[s] += p.area;
     });
     acting([&](contactLaw::problem& p, const label m, const label s)
     {
-        const bool elsewhere = plusStates_[s].shared > 0.5;
-        if (p.area < 0 && onMinus[m] <= 0 && onPlus[s] <= 0 && !elsewhere)
+        const bool pressed =
+            minusPressed_[m] > 0 || plusPressed_[s] > 0
+         || plusStates_[s].shared > 0.5;
+        if (p.area < 0 && !pressed)
         {
             p.result.state = acousticRiemann::status::open;
             p.result.t = Zero;
@@ -319,7 +324,7 @@ void Foam::bodyInterface::startForces()
     statistics_ = statistics();
     findStates(minus_, minusCorners_, minusStates_);
     findStates(plus_, pairing_->plusCorners(), ownStates_);
-    forAll(ownStates_, i) ownStates_[i].shared = askedTwice_[i];
+    forAll(ownStates_, i) ownStates_[i].shared = sharedCorners_[i];
 }
 
 

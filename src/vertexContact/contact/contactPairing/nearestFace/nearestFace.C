@@ -13,7 +13,6 @@
 #include "Time.H"
 #include "addToRunTimeSelectionTable.H"
 #include <algorithm>
-#include <vector>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -60,28 +59,20 @@ bool before(const point& a, const point& b)
     return false;
 }
 
-//- Nodes in the mesh, in that order
-std::vector<point> ordered(const contactFace& face)
-{
-    std::vector<point> X(face.X.begin(), face.X.begin() + face.size);
-    std::sort
-    (
-        X.begin(), X.end(),
-        [](const point& x, const point& y) { return before(x, y); }
-    );
-    return X;
-}
-
 //- An order of the faces of a surface that is the same on any number of ranks:
-//  which is the minus side counts where they slide
+//  that of their first nodes in the mesh. Those that have it in common never
+//  meet
 bool before(const contactFace& a, const contactFace& b)
 {
-    const std::vector<point> A(ordered(a)), B(ordered(b));
-    return std::lexicographical_compare
-    (
-        A.begin(), A.end(), B.begin(), B.end(),
-        [](const point& x, const point& y) { return before(x, y); }
-    );
+    const auto first = [](const contactFace& face)
+    {
+        return *std::min_element
+        (
+            face.X.begin(), face.X.begin() + face.size,
+            [](const point& x, const point& y) { return before(x, y); }
+        );
+    };
+    return before(first(a), first(b));
 }
 
 //- Distance of two boxes, not more than the true one of what is in them
