@@ -5,8 +5,8 @@ import numpy as np
 import pytest
 
 from vertexContactTests.caseTools import DEFAULT
-from vertexContactTests.smallCases import (FLOOR, SIDES, Body, SmallCase,
-                                           largest)
+from vertexContactTests.smallCases import (ELASTIC, FLOOR, SIDES, Body,
+                                           SmallCase, interface, largest)
 
 
 def onto(direction):
@@ -74,6 +74,50 @@ def test_corner_meets_corner(tmp_path, figures, cells, speeds, apart):
         f.atLeast("change of the momentum / initial",
                   largest(p - p[0])/largest(p[0] + case.momentumOf("b")[0]),
                   0.01)
+
+
+WEDGES = (
+    (2, 1.5, "rigid", {}), (2, 1.5, "same", {}), (2, 1.5, "heavy", {}),
+    (2, 1.5, "heavy", {"updateDistance": 0.4}), (2, 0.6, "heavy", {}),
+    (3, 0.6, "same", {}), (3, 1.5, "heavy", {"updateDistance": 0.4}))
+
+
+@pytest.mark.parametrize("nDim, slope, base, more", WEDGES)
+def test_wedge_meets_face(tmp_path, figures, nDim, slope, base, more):
+    """A wedge of few cells, in 3D a pyramid, falls on a face with its tip. It
+    touches with the tip, between the points of its overlaps. Where these were
+    pressed as a whole or not at all it was 0.4 of a cell inside before the
+    next pairing saw that, and left with two to six times its energy."""
+    def pointed(X):
+        off = np.maximum(abs(X[:, 0]), abs(X[:, 2]) if nDim == 3 else 0)
+        return np.stack((X[:, 0], X[:, 1] + (1 - X[:, 1])*slope*off,
+                         X[:, 2]), axis=1)
+
+    deep = -0.5 if nDim == 3 else 0
+    wedge = Body((4,)*nDim, name="wedge", start=(-0.5, 0, deep), moved=pointed,
+                 sides={"bottom": "contact"}, velocity=(0, -0.05, 0),
+                 displacement=lambda X: 0*X + np.array((0, 0.002, 0)))
+    material = {"rigid": {"type": "rigid", "rho": 1, "freeTranslation": "()",
+                          "freeRotation": "()"},
+                "heavy": {**ELASTIC, "rho": 1000}, "same": ELASTIC}[base]
+    held = {} if base == "rigid" else {
+        "bottom": {"type": "fixedVelocity", "velocity": (0, 0, 0)}}
+    ground = Body((6, 2, 6)[:nDim], name="ground", start=(-1.5, -1, 3*deep),
+                  size=(3, 1, 3 if nDim == 3 else 1), material=material,
+                  sides={"top": "contact", **held})
+    case = finished(SmallCase(
+        tmp_path, (wedge, ground), 3,
+        {"a": interface(("wedge", "bottom"), ("ground", "top"),
+                        pairing="nearestFace", **more)},
+        control={"maxCo": 0.9, "writeInterval": 3}, preset=DEFAULT))
+    E = case.keptEnergy
+    p = case.momentumOf("wedge")[:, 1]
+    with figures(f"{nDim}D wedge, slope {slope}, on {base}, {more}") as f:
+        f.atMost("largest energy / initial", E.max()/E[0], 1 + 1e-6)
+        f.atMost("work of contact / initial energy",
+                 case.energies["total:contactWork"].max()/E[0], 1e-6)
+        f.atLeast("change of the momentum / initial", (p.max() - p[0])/-p[0],
+                  0.9 if nDim == 2 else 0.1)
 
 
 def test_corners_that_have_passed_do_not_pull(tmp_path, figures):

@@ -29,8 +29,8 @@ vector of(const vec& a) { return vector(a[0], a[1], a[2]); }
 //- A lever of up to four nodes, for samples of any number
 struct lever
 {
-    contactLever<scalar, 4> four;
-    contactLever<scalar, 2> two;
+    contactLever<scalar, 4> four{};
+    contactLever<scalar, 2> two{};
     const bool planar;
     scalar turns;
 
@@ -61,6 +61,23 @@ struct lever
     {
         return
             planar ? two.setPoint(of(offset)) : four.setPoint(of(offset));
+    }
+
+    scalar movePoint(const vector& way)
+    {
+        return planar ? two.movePoint(of(way)) : four.movePoint(of(way));
+    }
+
+    vector slope() const { return of(planar ? two.slope() : four.slope()); }
+
+    vector velocityOf(const vec* v) const
+    {
+        return of(planar ? two.velocityOf(v) : four.velocityOf(v));
+    }
+
+    vector shear(const vec* v) const
+    {
+        return of(planar ? two.shear(v) : four.shear(v));
     }
 
     void setGrowth(const scalar share, const vector& growth)
@@ -151,6 +168,37 @@ TEST_CASE("A lever moves rigidly, and its forces are the transpose")
         CHECK(mag(foot + b*c.n - at) < 1e-14);
         CHECK(mag(power - (any & f)) < 1e-14);
         CHECK(mag(v - (shift + (spin ^ at))) < 1e-14);
+    }
+}
+
+
+TEST_CASE("A point that moves along a face is one that was set there")
+{
+    for (const sample& c : samples)
+    {
+        const bool planar = c.x.size() == 2;
+        vector way(planar ? vector(0.03, 0.01, 0) : vector(0.03, -0.05, 0.01));
+        way -= (way & c.n)*c.n;
+        lever moved(c.x, c.weights, c.n), there(c.x, c.weights, c.n);
+        const scalar height = moved.setPoint(c.offset);
+        const scalar change = moved.movePoint(way);
+        CHECK(change == Approx(-(way & moved.slope())).margin(1e-14));
+        CHECK(there.setPoint(c.offset + way) == Approx(height + change));
+
+        // A rigid motion is one there, too; the velocity along n grows as it
+        // turns
+        const vector spin(planar ? 0 : 0.7, planar ? 0 : -0.4, 1.3);
+        vec v[4];
+        for (std::size_t j = 0; j < 4; ++j)
+        {
+            v[j] = of(spin ^ c.x[j < c.x.size() ? j : 0]);
+        }
+        CHECK(mag(moved.velocityOf(v) - there.velocityOf(v)) < 1e-14);
+        const vector foot(way - change*c.n);
+        CHECK
+        (
+            (moved.shear(v) & way) == Approx((spin ^ foot) & c.n).margin(1e-14)
+        );
     }
 }
 

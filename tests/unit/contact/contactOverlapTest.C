@@ -166,6 +166,59 @@ TEST_CASE("Overlaps cover a face inside another one", "[contact]")
 }
 
 
+TEST_CASE("An overlap reaches as far as it is long", "[contact]")
+{
+    // Corners of a unit square, all in one corner of a large face
+    const contactFace square
+    (
+        faceOf({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, 0, up)
+    );
+    const contactFace large
+    (
+        faceOf
+        (
+            {{-1, -1, 0.1}, {-1, 10, 0.1}, {10, 10, 0.1}, {10, -1, 0.1}},
+            4, -up
+        )
+    );
+    const auto quarters = overlapsOf(square, large, true);
+    REQUIRE(quarters.size() == 4);
+    for (const contactOverlap& o : quarters)
+    {
+        for (const vector& d : {vector(1, 0, 0), vector(0, 1, 0)})
+        {
+            REQUIRE((d & (o.extent & d)) == Approx(1.0/16).epsilon(1e-12));
+        }
+        REQUIRE(std::abs(o.extent.xy()) < 1e-14);
+        REQUIRE(mag(o.extent & up) < 1e-14);
+    }
+
+    // Turned with the faces
+    const scalar c = std::cos(0.4), s = std::sin(0.4);
+    const tensor R(c, -s, 0, s, c, 0, 0, 0, 1);
+    const auto turned = [&](std::vector<point> x)
+    {
+        for (point& p : x) p = R & p;
+        return x;
+    };
+    const auto straight = overlapsOf
+    (
+        faceOf(kite, 0, up), faceOf(around, 4, -up), true
+    );
+    const auto other = overlapsOf
+    (
+        faceOf(turned(kite), 0, up), faceOf(turned(around), 4, -up), true
+    );
+    REQUIRE(straight.size() == other.size());
+    forAll(straight, i)
+    {
+        const tensor E(straight[i].extent);
+        REQUIRE(mag((R & E & R.T()) - tensor(other[i].extent)) < 1e-13);
+        REQUIRE(tr(E) > 0);
+    }
+}
+
+
 TEST_CASE("Values at overlaps are exact for linear fields", "[contact]")
 {
     const contactFace a(faceOf(kite, 0, up)), b(faceOf(around, 0, -up));

@@ -123,6 +123,33 @@ struct movingArea
         FixedList<vector2D, 2>(vector2D::zero);
     vector2D sweep = vector2D::zero;
 
+    //- Second moments, uu, uw, ww
+    FixedList<scalar, 3> second = FixedList<scalar, 3>(scalar(0));
+
+    //- Add what a triangle has, by its nodes from the origin
+    void addSecond(const vector2D& a, const vector2D& b, const vector2D& c)
+    {
+        const vector2D sum(a + b + c);
+        const scalar share = cross(b - a, c - a)/24;
+        for (const vector2D& x : {a, b, c, sum})
+        {
+            second[0] += share*sqr(x.x());
+            second[1] += share*x.x()*x.y();
+            second[2] += share*sqr(x.y());
+        }
+    }
+
+    //- contactOverlap::extent
+    symmTensor extent(const vector& u, const vector& w) const
+    {
+        const vector2D c(moment/area);
+        const scalar uu = second[0]/area - sqr(c.x());
+        const scalar uw = second[1]/area - c.x()*c.y();
+        const scalar ww = second[2]/area - sqr(c.y());
+        return
+            3*(uu*sqr(u) + uw*twoSymm(u*w) + ww*sqr(w));
+    }
+
     //- An edge, by its middle, and length times outer normal
     void addEdge
     (
@@ -151,6 +178,10 @@ struct movingArea
     {
         area += 0.5*twice;
         moment += 0.5*twice*(at - origin);
+        for (label i = 1; i + 1 < g.size; ++i)
+        {
+            addSecond(g.p[0] - origin, g.p[i] - origin, g.p[i + 1] - origin);
+        }
         for (label i = 0; i < g.size; ++i)
         {
             const vector2D& a = g.p[i];
@@ -525,6 +556,7 @@ void Foam::contactOverlaps::append
         for (label k = first; joined && k < overlaps.size(); ++k)
         {
             overlaps[k].motion = moving[k - first].motion(u, w);
+            overlaps[k].extent = moving[k - first].extent(u, w);
         }
     };
 
@@ -604,6 +636,7 @@ void Foam::contactOverlaps::append
                 const scalar half = 0.5*(to - from);
                 movingArea& m = moving[k];
                 m.area = to - from;
+                m.second[0] = m.area*sqr(half)/3;
                 m.addEdge(vector2D(half, 0), vector2D(1, 0), follows(true));
                 m.addEdge(vector2D(-half, 0), vector2D(-1, 0), follows(false));
             }
