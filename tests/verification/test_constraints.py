@@ -6,7 +6,8 @@ import pytest
 
 from vertexContactCases import readResults
 from vertexContactTests.caseTools import DEFAULT, differingFiles, runAgain
-from vertexContactTests.smallCases import (RUBBER, Body, SmallCase, condition,
+from vertexContactTests.smallCases import (RUBBER, SIDES, Body, SmallCase,
+                                           condition,
                                            interface, largest, smooth, table)
 
 
@@ -291,3 +292,65 @@ def test_rigid_regions_are_held_as_a_whole(tmp_path, figures):
         f.equal("exit code where nothing is held", code, 1)
         f.equal("message", "no patch holds nodes of a region that deforms, "
                 "and no rigid region is held" in output, True)
+
+
+@pytest.mark.parametrize("angle, nDim, law", (
+    (60, 2, "neoHookean"), (120, 2, "neoHookean"), (60, 2, "HenckyVonMises"),
+    (60, 3, "neoHookean")))
+def test_mirrors_at_an_angle(tmp_path, figures, angle, nDim, law):
+    """A kite between two mirrors, alike on either side of the line between
+    them, stays so, whichever mirror comes first: each has an image of the
+    other."""
+    half = np.radians(angle)/2
+    tip = np.array((np.cos(half), np.sin(half)))/max(np.cos(half), 0.5)
+    sides = np.array((1, 0)), np.array((np.cos(2*half), np.sin(2*half)))
+
+    def kite(X):
+        s, t = X[:, :1], X[:, 1:2]
+        return np.hstack((s*(1 - t)*sides[0] + (1 - s)*t*sides[1] + s*t*tip,
+                          X[:, 2:]))
+
+    material = {"type": law, "rho": 1, "E": 1, "nu": 0.3}
+    if law == "HenckyVonMises":
+        material["tauY"] = 0.02
+    case = SmallCase(
+        tmp_path, Body((6, 6, 3)[:nDim], moved=kite, material=material, sides={
+            "bottom": "symmetryPlane", "left": "symmetryPlane"},
+            velocity=lambda X: -0.3*X*np.array((1, 1, 0))), 1.5,
+        preset=DEFAULT).run()
+    X, D = case.X(), case.at("pointD")
+    along = np.array((np.cos(half), np.sin(half), 0))
+    M = 2*np.outer(along, along) - np.diag((1, 1, -1))
+    image = [np.argmin(((X - M @ x)**2).sum(1)) for x in X]
+    with figures(f"{law} between mirrors at {angle} degrees, {nDim}D") as f:
+        f.atLeast("largest displacement", largest(D), 0.02)
+        f.atMost("difference of the halves / largest displacement",
+                 largest(D[image] @ M.T - D)/largest(D), 1e-12)
+
+
+class Joined(Body):
+    """Left and bottom sides are one patch."""
+
+    def boundary(self, faces):
+        each = super().boundary(faces)
+        patches = dict(zip(each[::2], each[1::2]))
+        patches["left"]["faces"] = "({} {})".format(*(
+            patches[side]["faces"].strip()[1:-1]
+            for side in ("left", "bottom")))
+        del patches["bottom"]
+        return [part for pair in patches.items() for part in pair]
+
+    @property
+    def patches(self):
+        return tuple(side for side in SIDES if side != "bottom")
+
+
+@pytest.mark.parametrize("nDim", (2, 3))
+@pytest.mark.parametrize("ranks", (1, 2))
+def test_slip_does_not_turn_by_an_edge(tmp_path, nDim, ranks):
+    """A node on the edge would slide through both sides."""
+    case = SmallCase(tmp_path, Joined((4,)*nDim, sides={"left": "slip"}), 1,
+                     preset=DEFAULT)
+    code, log = case.attempt(ranks)
+    assert code != 0 and "FOAM FATAL IO ERROR" in log
+    assert "'left'" in log and "an edge at (0 0 " in log and "pointU" in log

@@ -622,6 +622,16 @@ def test_bad_input(tmp_path, name):
     assert keyword in out and "mechanicalProperties" in out
 
 
+@pytest.mark.parametrize("keyword, value", (
+    ("freeRotation", "(x)"), ("freeTranslation", "(z)")))
+def test_freedom_that_the_plane_has_not(tmp_path, keyword, value):
+    body = Body(cells=(2, 2), material=rigid(**{keyword: value}))
+    code, out = SmallCase(tmp_path, body, 1, control=FIXED,
+                          preset=DEFAULT).attempt()
+    assert code != 0 and "FOAM FATAL IO ERROR" in out
+    assert f"'{keyword}'" in out and "2 directions" in out
+
+
 def test_all_rigid_needs_a_step(tmp_path):
     body = Body(cells=(1, 1, 1), material=rigid())
     code, out = SmallCase(tmp_path, body, 1, preset=DEFAULT).attempt()
@@ -656,3 +666,33 @@ def test_sub_cycling_of_rigid_regions_alone(tmp_path):
         preset=DEFAULT)
     code, log = case.attempt()
     assert code == 0 and "evaluations of nodes" in log, log[-3000:]
+
+
+@pytest.mark.parametrize("length", (4, 16))
+def test_slender_bar_lands_flat(tmp_path, figures, length):
+    """A bar that may turn about its own axis answers as one that may not. As
+    heavy as its smallest moment of inertia has it, it was soft, and went into
+    a fifth of a face."""
+    case = {}
+    for free in "", "()":
+        turns = {"freeRotation": free} if free else {}
+        bar = Body((16, 1, 1), name="bar", start=(-length/2, 0.01, -0.125),
+                   size=(length, 0.25, 0.25), sides={"bottom": "contact"},
+                   velocity=(0, -0.05, 0), material=rigid(rho=4, **turns))
+        block = Body((16, 4, 1), name="block", start=(-length/2, -1, -0.125),
+                     size=(length, 1, 0.25), material=RUBBER, sides={
+                         "top": "contact", "bottom": condition(
+                             "fixedVelocity", velocity=(0, 0, 0))})
+        case[free] = SmallCase(
+            tmp_path/f"free{free}", (bar, block), 8,
+            {"a": interface(("bar", "bottom"), ("block", "top"),
+                            pairing="nearestFace")},
+            functions=("contactForces",), preset=DEFAULT).run()
+    p = {free: c.momentumOf("bar")[:, 1] for free, c in case.items()}
+    deepest = case[""].contact("a")["relativePenetration"].max()
+    with figures(f"bar of {length} x 0.25 x 0.25 lands flat") as f:
+        f.atLeast("speed with which it leaves / initial",
+                  -p["()"][-1]/p["()"][0], 0.5)
+        f.within("change of the momentum / that without rotation",
+                 (p[""][-1] - p[""][0])/(p["()"][-1] - p["()"][0]), 1, 0.05)
+        f.atMost("deepest penetration / face", deepest, 0.05)

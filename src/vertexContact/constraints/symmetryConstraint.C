@@ -11,6 +11,114 @@
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+void Foam::symmetryConstraint::findKinks
+(
+    const medianDual& dual,
+    const label patchi,
+    const scalarField& areas
+)
+{
+    const label d = nDim_;
+    const dualPatch& patch = dual.patches()[patchi];
+    forAll(patch.cornerNode, k)
+    {
+        const label a = patch.cornerNode[k];
+        scalar along = 0, magSqrS = 0;
+        for (label j = 0; j < d; ++j)
+        {
+            along += patch.cornerNormal[k*d + j]*areas[a*d + j];
+            magSqrS += sqr(areas[a*d + j]);
+        }
+        const scalar cosine = along/std::sqrt(max(magSqrS, VSMALL));
+        if (cosine < kinkCosine_)
+        {
+            kinkCosine_ = cosine;
+            kinkedPatch_ = patchi;
+            kink_ = point::zero;
+            for (label j = 0; j < d; ++j)
+            {
+                kink_[dual.directions()[j]] = dual.nodePosition()[a*d + j];
+            }
+        }
+    }
+}
+
+
+void Foam::symmetryConstraint::findGroups()
+{
+    const label d = nDim_;
+    group_ = identity(patch_.size());
+    forAll(nodes_, i)
+    {
+        const label first = start_[i], end = start_[i + 1];
+        for (label k = first; k < end; ++k)
+        {
+            for (label m = first; m < k; ++m)
+            {
+                scalar cosine = 0;
+                for (label j = 0; j < d; ++j)
+                {
+                    cosine += given_[k*d + j]*given_[m*d + j];
+                }
+                if (mag(cosine) <= parallel) continue;
+
+                // All of both groups are one
+                const label one = min(group_[k], group_[m]);
+                const label other = max(group_[k], group_[m]);
+                for (label l = first; l <= k; ++l)
+                {
+                    if (group_[l] == other) group_[l] = one;
+                }
+            }
+        }
+    }
+}
+
+
+template<int D>
+void Foam::symmetryConstraint::makeIsotropic
+(
+    scalar (&T)[D][D],
+    const label first,
+    const label end
+) const
+{
+    const auto along = [&](const label k)
+    {
+        const scalar* n = normals_.cdata() + k*D;
+        scalar sum = 0;
+        for (int i = 0; i < D; ++i)
+        {
+            for (int j = 0; j < D; ++j) sum += n[i]*T[i][j]*n[j];
+        }
+        return sum;
+    };
+    for (label g = first; g < end; ++g)
+    {
+        scalar sum = 0;
+        label size = 0;
+        for (label k = g; k < end; ++k)
+        {
+            if (group_[k] != g) continue;
+            sum += along(k);
+            ++size;
+        }
+        if (size < 2) continue;
+
+        for (label k = g; k < end; ++k)
+        {
+            if (group_[k] != g) continue;
+            const scalar* n = normals_.cdata() + k*D;
+            const scalar change = sum/size - along(k);
+            for (int i = 0; i < D; ++i)
+            {
+                for (int j = 0; j < D; ++j) T[i][j] += change*n[i]*n[j];
+            }
+        }
+    }
+}
+
+
 void Foam::symmetryConstraint::symmetrise
 (
     scalar* T,
@@ -89,6 +197,7 @@ void Foam::symmetryConstraint::symmetriseTensors
                 }
             }
         }
+        makeIsotropic<D>(T, start_[a], start_[a + 1]);
         for (int i = 0; i < D; ++i)
         {
             for (int j = 0; j < D; ++j) p[place[i*D + j]] = T[i][j];
@@ -129,6 +238,7 @@ Foam::symmetryConstraint::symmetryConstraint
             }
         }
         dual.sharing().sum(areas[i].data(), d);
+        findKinks(dual, patchIDs[i], areas[i]);
     }
 
     DynamicList<label> nodes, start, patch;
@@ -171,10 +281,28 @@ Foam::symmetryConstraint::symmetryConstraint
     normals_ = scalarField(normals);
     given_ = scalarField(given);
     patch_.transfer(patch);
+    findGroups();
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::label Foam::symmetryConstraint::kinked(point& at) const
+{
+    const scalar least = returnReduce(kinkCosine_, minOp<scalar>());
+    if (least > leastOfOne) return -1;
+
+    // That of the first rank that has it
+    const label rank = returnReduce
+    (
+        kinkCosine_ > least ? Pstream::nProcs() : Pstream::myProcNo(),
+        minOp<label>()
+    );
+    const bool mine = rank == Pstream::myProcNo();
+    at = returnReduce(mine ? kink_ : point(point::zero), sumOp<point>());
+    return returnReduce(mine ? kinkedPatch_ : label(-1), maxOp<label>());
+}
+
 
 void Foam::symmetryConstraint::projectEdges
 (
@@ -198,27 +326,38 @@ void Foam::symmetryConstraint::projectEdges
         scalar rr = 0;
         for (label j = 0; j < d; ++j) rr += sqr(X[b*d + j] - X[a*d + j]);
 
+        // Normals of the mirrors that it is in, made orthogonal
+        DynamicList<scalar, 9> in;
         for (label k = start_[place[a]]; k < start_[place[a] + 1]; ++k)
         {
             // In the mirror of a: normal to it, with the same normal at b
-            const scalar* n = normals_.cdata() + k*d;
-            scalar along = 0, areaN = 0;
+            const scalar* n = given_.cdata() + k*d;
+            scalar along = 0;
             for (label j = 0; j < d; ++j)
             {
                 along += n[j]*(X[b*d + j] - X[a*d + j]);
-                areaN += n[j]*area[e*d + j];
             }
             bool shared = false;
             for (label m = start_[place[b]]; m < start_[place[b] + 1]; ++m)
             {
                 scalar cosine = 0;
-                for (label j = 0; j < d; ++j) cosine += n[j]*normals_[m*d + j];
+                for (label j = 0; j < d; ++j) cosine += n[j]*given_[m*d + j];
                 shared = shared || mag(cosine) > 1 - oneMirror;
             }
-            if (shared && sqr(along) < inMirror*rr)
+            if (!shared || sqr(along) >= inMirror*rr) continue;
+
+            FixedList<scalar, 3> its(Zero);
+            for (label j = 0; j < d; ++j) its[j] = n[j];
+            if (makeOrthogonal(d, its.data(), in, 0))
             {
-                for (label j = 0; j < d; ++j) area[e*d + j] -= areaN*n[j];
+                for (label j = 0; j < d; ++j) in.append(its[j]);
             }
+        }
+        for (label k = 0; k < in.size(); k += d)
+        {
+            scalar areaN = 0;
+            for (label j = 0; j < d; ++j) areaN += in[k + j]*area[e*d + j];
+            for (label j = 0; j < d; ++j) area[e*d + j] -= areaN*in[k + j];
         }
     }
 }

@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "rigidBody.H"
+#include "principalValues.H"
 #include "rigidMaterial.H"
 #include "obstacleMotion.H"
 #include "dictionaryCheck.H"
@@ -105,6 +106,21 @@ void Foam::rigidBody::readFreedoms
             axis_[i] = 1;
         }
     }
+    const auto requireSome = [&]
+    (
+        const word& key,
+        const vector& given,
+        const bool some
+    )
+    {
+        if (some || cmptMax(given) <= 0 || !dict.found(key)) return;
+        FatalIOErrorInFunction(dict)
+            << "Keyword '" << key << "' is " << dict.get<wordList>(key)
+            << ": none of these is free in a mesh of " << nDim_
+            << " directions" << exit(FatalIOError);
+    };
+    requireSome("freeRotation", turns, nAxes > 0);
+    requireSome("freeTranslation", translates, mag(translation_) > 0);
     if (nAxes == 2)
     {
         FatalIOErrorInFunction(dict)
@@ -354,14 +370,24 @@ bool Foam::rigidBody::isHeld() const
 Foam::scalar Foam::rigidBody::compliance(const point& X) const
 {
     const vector r(X - start_);
-    return
-        (magSqr(translation_) > SMALL ? 1/mass_.mass : 0)
-      + (
-            rotation_ == freedom::all
-          ? magSqr(r)/free_->moments().x()
-          : rotation_ == freedom::axis ? magSqr(r ^ axis_)/axisInertia_
-          : 0
+    scalar turning = 0;
+    if (rotation_ == freedom::all)
+    {
+        // As a force acts that turns the body most
+        const tensor across(*r);
+        const tensor turns
+        (
+            across & free_->inverse(quaternion::I) & across.T()
         );
+        const principalValues<3> most(turns.cdata(), 0);
+        turning = max(most.value[0], max(most.value[1], most.value[2]));
+    }
+    else if (rotation_ == freedom::axis)
+    {
+        turning = magSqr(r ^ axis_)/axisInertia_;
+    }
+    return
+        (magSqr(translation_) > SMALL ? 1/mass_.mass : 0) + turning;
 }
 
 

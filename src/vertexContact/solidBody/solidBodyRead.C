@@ -273,6 +273,19 @@ void Foam::solidBody::readState()
 
     readKinematics(F.valid(), D.valid());
 
+    vector edge(Zero);
+    const label kinked = symmetry_.kinked(edge);
+    if (kinked >= 0)
+    {
+        FatalFileErrorInFunction(pointUFile_)
+            << "Keyword 'boundaryField': patch '"
+            << mesh_.boundaryMesh()[kinked].name() << "' of the region '"
+            << name_ << "' has the type '"
+            << pointU_.boundaryField()[kinked].type()
+            << "', for which a node has one normal, but turns by an edge at "
+            << edge << ". Make a patch of each of its sides"
+            << exit(FatalIOError);
+    }
     const scalar removed = returnReduce
     (
         symmetry_.project(s.lm.data(), d), maxOp<scalar>()

@@ -140,12 +140,15 @@ void Foam::variationalScheme::boundFrequencies()
     // the number of processors
     const stepLimit limit(data_, x_, symmetry_);
     const scalar ratio = limit.squaredFrequency()/(sqr(data_.cp)*largest);
-    x_.boundRatio = std::ceil(hundredths*ratio)/hundredths;
+    x_.boundRatio =
+        std::ceil(hundredths*ratio*(1 - lanczos::roundOff))/hundredths;
     largestFrequency_ = data_.cp*std::sqrt(x_.boundRatio*largest);
 
     // The state is undeformed yet
     const scalar bound = returnReduce(boundOfStep(), minOp<scalar>());
-    x_.stepRatio = std::floor(hundredths*limit.step()/bound)/hundredths;
+    x_.stepRatio =
+        std::floor(hundredths*limit.step()/bound*(1 + lanczos::roundOff))
+       /hundredths;
 }
 
 
