@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from vertexContactCases import readResults
-from vertexContactTests.caseTools import DEFAULT, execute
+from vertexContactTests.caseTools import DEFAULT, execute, timeFolders
 from vertexContactTests.contactScenes import rigid, spinning, toolAndBlock
 from vertexContactTests.smallCases import (EACH_STEP, FLOOR, RUBBER, Body,
                                            SmallCase, condition, coulomb,
@@ -294,6 +294,36 @@ def test_moved_plate_is_as_an_obstacle(tmp_path, figures, motion):
     with figures(f"plate that is moved by a {motion} against obstacle") as f:
         f.atMost("force, difference / largest", largest(
             force[0][:n] - force[1][:n])/largest(force[1]), 5e-3)
+
+
+SWINGING = {
+    "displacement": {"displacement": "sine", "displacementCoeffs": {
+        "frequency": 100, "amplitude": 1, "scale": (0, 0.001, 0),
+        "level": (0, 0, 0)}},
+    "oscillatingLinearMotion": {
+        "solidBodyMotionFunction": "oscillatingLinearMotion",
+        "oscillatingLinearMotionCoeffs": {
+            "amplitude": (0, 0.001, 0), "omega": 200*np.pi}}}
+
+
+@pytest.mark.parametrize("motion", SWINGING)
+def test_start_of_a_motion(tmp_path, figures, motion):
+    """A region that a motion moves begins with its velocity, however long the
+    run is to be; and the case that has ended can be looked at, and run on."""
+    case = SmallCase(tmp_path, [
+        Body(cells=(2, 2), name="tool", start=(0, 1.5, 0), material=rigid(
+            motion=SWINGING[motion])), Body(cells=(2, 2), name="pad")], 1000,
+        control={"stopAt": "nextWrite", "writeInterval": 0.01},
+        preset=DEFAULT).run()
+    last = float(timeFolders(case.path)[-1])
+    case.set("system/controlDict", {"stopAt": "endTime", "endTime": last})
+    codes = [execute(c, case.path).returncode for c in (
+        ["vertexContactFoam"], ["vertexContactFoam", "-dry-run"],
+        ["checkContact"])]
+    with figures(f"region that swings by {motion}, at its start") as f:
+        f.within("velocity / of the motion", case.momentumOf("tool")[0, 1]
+                 / (0.2*np.pi), 1, 1e-7)
+        f.equal("ended, started again, looked at: exit codes", codes, [0]*3)
 
 
 @pytest.mark.parametrize("free", ("x y z", "x z", "y", ""))

@@ -86,7 +86,7 @@ void Foam::rigidRegion::makeRigid()
         reduce(n, sumOp<vector>());
         if (mag(n) > 0) normals.append(n/mag(n));
     }
-    rigid_.reset(new rigidBody(dict, dual_, vectorField(normals), time_));
+    rigid_.reset(new rigidBody(dict, dual_, vectorField(normals)));
 
     // What contact may push at most
     scalar area = 0;

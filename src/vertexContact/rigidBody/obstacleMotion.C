@@ -8,6 +8,7 @@
 #include "dictionaryCheck.H"
 #include "TableBase.H"
 #include "IStringStream.H"
+#include "polyMesh.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -15,6 +16,9 @@ namespace
 {
 
 using namespace Foam;
+
+//- Of a pose that is found by arithmetic, and of an interval of time
+constexpr scalar roundOff = 1e-14, resolved = 1e-8;
 
 //- Integral of a function from time 0 on. Tables, which OpenFOAM integrates
 //  between their ends only, keep their first and last values beyond them
@@ -42,17 +46,15 @@ vector integralOf(const Function1<vector>& f, const scalar time)
 Foam::obstacleMotion::obstacleMotion
 (
     const dictionary& dict,
-    const Time& runTime
+    const polyMesh& mesh
 )
 :
-    start_(runTime.controlDict().getOrDefault<scalar>("startTime", 0)),
+    start_(mesh.time().controlDict().getOrDefault<scalar>("startTime", 0)),
+    time_(mesh.time()),
+    size_(max(mag(mesh.bounds().min()), mag(mesh.bounds().max()))),
     pose_(septernion::I),
     before_(septernion::I),
-    after_(septernion::I),
-    interval_
-    (
-        ofRun*(runTime.endTime().value() - runTime.startTime().value())
-    )
+    after_(septernion::I)
 {
     if (dict.found("motion"))
     {
@@ -88,7 +90,7 @@ Foam::obstacleMotion::obstacleMotion
                         "deltaT 1; writeControl timeStep; writeInterval 1;"
                     )()
                 ),
-                runTime.rootPath(), runTime.caseName(),
+                time_.rootPath(), time_.caseName(),
                 "system", "constant", false, false
             )
         );
@@ -150,12 +152,61 @@ void Foam::obstacleMotion::setTime(const scalar time)
         return;
     }
 
-    // Not before the start nor beyond the end, where a table may have no
-    // values; and nothing that depends on where a run was continued
-    const bool first = time - interval_ < start_;
+    // Not before the start, where a table may have no values; and nothing that
+    // depends on where a run was continued, or on how long it is
     pose_ = poseAt(time);
+    const scalar least =
+        given_ > 0 ? given_ : max(resolved*mag(time), SMALL);
+    const bool first = time - least < start_;
+    interval_ = given_ > 0 ? given_ : straight(time, least, first);
     before_ = first ? pose_ : poseAt(time - interval_);
     after_ = first ? poseAt(time + interval_) : pose_;
+}
+
+
+Foam::scalar Foam::obstacleMotion::straight
+(
+    const scalar time,
+    const scalar least,
+    const bool first
+)
+{
+    constexpr scalar longer = 4;
+    const auto at = [&](const scalar interval)
+    {
+        return poseAt(first ? time + interval : time - interval);
+    };
+    const scalar most =
+        first ? time_.endTime().value() - time : time - start_;
+    septernion near(at(least));
+    scalar interval = least;
+    for (; longer*interval <= most; interval *= longer)
+    {
+        const septernion far(at(longer*interval));
+        bool bent = false, rough = false, moved = false;
+        const auto look = [&]
+        (
+            const vector& a,
+            const vector& b,
+            const vector& c,
+            const scalar size
+        )
+        {
+            const scalar way = mag(c - a);
+            const scalar noise =
+                roundOff
+               *(size + mag(a) + way*(1 + mag(time)/(longer*interval)));
+            bent = bent || mag((c - a) - longer*(b - a)) > noise;
+            rough = rough || (way > 0 && noise > resolved*way);
+            moved = moved || way > 0;
+        };
+        look(pose_.t(), near.t(), far.t(), size_);
+        look(pose_.r().v(), near.r().v(), far.r().v(), 1);
+        if (bent || (moved && !rough)) break;
+        near = far;
+    }
+    return
+        first ? (time + interval) - time : time - (time - interval);
 }
 
 

@@ -314,8 +314,7 @@ Foam::rigidBody::rigidBody
 (
     const dictionary& dict,
     const medianDual& dual,
-    const vectorField& mirrors,
-    const Time& runTime
+    const vectorField& mirrors
 )
 :
     dual_(dual),
@@ -336,7 +335,7 @@ Foam::rigidBody::rigidBody
     inertia_ = mass_.about(start_);
     if (dict.found("motion"))
     {
-        motion_.reset(new obstacleMotion(dict, runTime));
+        motion_.reset(new obstacleMotion(dict, dual.mesh()));
     }
     readFreedoms(dict, mirrors);
 

@@ -308,7 +308,7 @@ Foam::obstacleInterface::obstacleInterface
     contactInterface(name, dict),
     side_(side),
     surface_(readSurface(name, dict, side_.body->mesh().time())),
-    motion_(dict, side_.body->mesh().time()),
+    motion_(dict, side_.body->mesh()),
     leastWidth_(GREAT),
     width_(side_.body->corners(side_.patchi).size(), Zero),
     sideMotion_(side_),
