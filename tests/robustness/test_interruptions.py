@@ -577,6 +577,50 @@ def test_modified_wrongly(straight, tmp_path, figures, ranks, file, entries,
         f.equal("exit code of the next run", again, 0)
 
 
+@pytest.mark.parametrize("change", ("order", "pairs"))
+def test_pairs_modified(tmp_path, figures, change):
+    """Laws stay with the pairs that they are written at, in whatever order;
+    which pairs there are stays as it was at the start."""
+    def block(name, x):
+        return Body((2, 2), name=name, start=(x, 0.5, 0), size=(0.5, 0.5, 1),
+                    velocity=(0.02, 0, 0), sides={"bottom": "contact"})
+    base = Body((8, 2), name="base", size=(4, 0.5, 1), sides={
+        "top": "contact", "bottom": condition(
+            "fixedVelocity", velocity=(0, 0, 0))})
+    slick = "((slick bottom) (base top)) { law { type frictionless; } }"
+    rough = ("((rough bottom) (base top)) "
+             "{ law { type Coulomb; frictionCoeff 0.3; } }")
+    case = SmallCase(
+        tmp_path, [block("slick", 0.2), block("rough", 1.2), base], 1000,
+        gravity=(0, -0.005, 0), interfaces={"all": {
+            "surfaces": "all", "self": "no", "pairs": f"({slick} {rough})"}},
+        control={"writeInterval": 0.5, "runTimeModifiable": "yes"},
+        preset=DEFAULT)
+    file = case/"constant/contactProperties"
+    text = file.read_text()
+    assert slick in text and rough in text
+    with Running(case) as run:
+        run.reach(0)
+        text = text.replace(f"{slick} {rough}", f"{rough} " + (
+            slick if change == "order" else slick.replace("bottom", "left")))
+        (case/"rewritten").write_text(text)
+        os.utime(case/"rewritten", (time.time() + 60,)*2)
+        os.replace(case/"rewritten", file)
+        if change == "order":
+            run.reach(10)
+            run.kill()
+        log = run.end()[1]
+    p = [case.momentumOf(name)[:, 0] for name in ("slick", "rough")]
+    with figures(f"pairs with a law of their own, other {change}") as f:
+        f.equal("read again", "Re-reading object contactProperties" in log,
+                True)
+        f.equal("refused", "'pairs': while the run goes on" in log,
+                change == "pairs")
+        f.within("slick: momentum / at the start", p[0][-1]/p[0][0], 1, 0.02)
+        if change == "order":
+            f.atMost("rough: momentum / at the start", p[1][-1]/p[1][0], 0.1)
+
+
 def test_stop_in_the_first_step_of_friction(tmp_path, figures):
     """A floor that jumps through a held block in the very step in which two
     others begin to rub: the state before is written."""

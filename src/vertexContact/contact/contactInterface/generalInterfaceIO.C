@@ -49,6 +49,16 @@ struct pairEntry
     dictionary dict;
 };
 
+//- An expression as it is written, but for blanks
+std::string text(const expression& e)
+{
+    const std::string quote(e.name.isPattern() ? "\"" : "");
+    if (e.leaf) return quote + e.name + quote;
+    std::string all;
+    for (const expression& part : e.list) all += text(part) + ' ';
+    return '(' + all + ')';
+}
+
 //- A set in a list of pairs: a name alone is a region, with all its surfaces
 expression regionOrSurfaces(const expression& e)
 {
@@ -355,6 +365,7 @@ void Foam::generalInterface::readPairLaws
             pair.dict, pair.keyword, pair.sides, bodies
         );
         rules_.append(partDict(dict, pair.dict).ptr());
+        pairSides_.append(text(pair.sides));
         const labelList a(indicesOf(sets[0])), b(indicesOf(sets[1]));
         const labelPair two(rule_.give(a, b, rules_.size() - 1));
         if (two.first() >= 0)
@@ -477,12 +488,26 @@ bool Foam::generalInterface::describedBy(const dictionary& dict)
 void Foam::generalInterface::readLaw(const dictionary& dict)
 {
     contactInterface::readLaw(dict);
-    rules_.set(0, partDict(dict, dict).ptr());
+    PtrList<dictionary> rules(rules_.size());
+    rules.set(0, partDict(dict, dict).ptr());
+
+    // What is paired stays, in any order
     const PtrList<pairEntry> pairs(readPairs(dict));
-    for (label i = 0; i < pairs.size() && i + 1 < rules_.size(); ++i)
+    bool same = pairs.size() == pairSides_.size();
+    for (const pairEntry& pair : pairs)
     {
-        rules_.set(i + 1, partDict(dict, pairs[i].dict).ptr());
+        const label rule = pairSides_.find(text(pair.sides)) + 1;
+        same = same && rule > 0 && !rules.set(rule);
+        if (same) rules.set(rule, partDict(dict, pair.dict).ptr());
     }
+    if (!same)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Keyword 'pairs': while the run goes on, only laws can be "
+            << "changed, and the order; the pairs must be " << pairSides_
+            << exit(FatalIOError);
+    }
+    rules_.transfer(rules);
     forAll(parts_, i) parts_[i].readLaw(ruleOf(keys_[i]));
     join();
 }
