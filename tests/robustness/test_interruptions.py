@@ -547,7 +547,11 @@ def test_modified(straight, tmp_path, figures):
 
 @pytest.mark.parametrize("file, entries, named", (
     ("constant/contactProperties", {"type": "coulom"}, "coulom"),
-    ("system/controlDict", {"maxCo": -1}, "maxCo")), ids=("law", "maxCo"))
+    ("system/controlDict", {"maxCo": -1}, "maxCo"),
+    ("system/controlDict", {"maxDeltaT": 0}, "maxDeltaT"),
+    ("system/controlDict", {"logInterval": 0}, "logInterval"),
+    ("system/controlDict", {"adjustTimeStep": "maybe"}, "maybe")),
+    ids=("law", "maxCo", "maxDeltaT", "logInterval", "adjustTimeStep"))
 @pytest.mark.parametrize("ranks", (1, 2))
 def test_modified_wrongly(straight, tmp_path, figures, ranks, file, entries,
                           named):
@@ -556,7 +560,7 @@ def test_modified_wrongly(straight, tmp_path, figures, ranks, file, entries,
     case = copied(whole, tmp_path/"case")
     case.set("system/controlDict", {
         "endTime": 1000, "writeInterval": 0.5, "logInterval": 1,
-        "runTimeModifiable": True})
+        "maxDeltaT": 1, "adjustTimeStep": True, "runTimeModifiable": True})
     right = (case/file).read_text()
     with Running(case, ranks) as run:
         run.reach(0)

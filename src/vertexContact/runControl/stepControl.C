@@ -50,18 +50,12 @@ Foam::stepControl::stepControl(const Time& runTime, const preset& defaults)
     (
         minDeltaT(0) >= 0, dict(), "minDeltaT", minDeltaT(0), "at least 0"
     );
-    dictionaryCheck::require
-    (
-        maxDeltaT() > 0, dict(), "maxDeltaT", maxDeltaT(), "positive"
-    );
+    maxDeltaT();
+    logInterval();
     dictionaryCheck::require
     (
         contactIterations() > 0, dict(), "contactIterations",
         contactIterations(), "a positive integer"
-    );
-    dictionaryCheck::require
-    (
-        logInterval() > 0, dict(), "logInterval", logInterval(), "positive"
     );
 }
 
@@ -76,11 +70,31 @@ Foam::scalar Foam::stepControl::maxCo() const
 }
 
 
+Foam::label Foam::stepControl::logInterval() const
+{
+    const label steps =
+        dict().getOrDefault("logInterval", label(logIntervalDefault));
+    dictionaryCheck::require
+    (
+        steps > 0, dict(), "logInterval", steps, "positive"
+    );
+    return steps;
+}
+
+
+Foam::scalar Foam::stepControl::maxDeltaT() const
+{
+    const scalar most = dict().getOrDefault("maxDeltaT", scalar(GREAT));
+    dictionaryCheck::require(most > 0, dict(), "maxDeltaT", most, "positive");
+    return most;
+}
+
+
 bool Foam::stepControl::logs(const label steps, const scalar time) const
 {
     const bool last =
         time > time_.endTime().value() - 0.5*time_.deltaTValue();
-    return last || steps % max(label(1), logInterval()) == 0;
+    return last || steps % logInterval() == 0;
 }
 
 

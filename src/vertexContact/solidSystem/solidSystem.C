@@ -216,12 +216,16 @@ void Foam::solidSystem::startStep()
         evaluate(startOfStep_, 0);
     }
 
-    const bool logs = control_.logs
-    (
-        done_.steps + 1, startOfStep_ + runTime_.deltaTValue()
-    );
-    if (choice_.look(logs)) checkTimeStep();
-    orWrite([&] { choice_.take(); return true; });
+    orWrite([&]
+    {
+        const bool logs = control_.logs
+        (
+            done_.steps + 1, startOfStep_ + runTime_.deltaTValue()
+        );
+        if (choice_.look(logs)) checkTimeStep();
+        choice_.take();
+        return true;
+    });
 }
 
 
