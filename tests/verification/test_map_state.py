@@ -148,6 +148,33 @@ def test_on_two_ranks(tmp_path, figures, dimensions):
                 f.atMost("difference", largest(a - b), 1e-15)
 
 
+def test_two_parts_of_a_body(tmp_path, figures):
+    """A point outside of a coarse mesh is of the part that it bulges from, not
+    of one across a slit whose small cells have their centres nearer."""
+    def bent(X):
+        s = (0.5 - X[:, 0])*6
+        bulge = np.where(s > 1, 0.09*np.sin(3*np.pi*(s - 1)/2)**2, 0)
+        along, thick = np.clip(s, -1, 1)*np.pi/2, np.where(s > 0, 1, 0.1)
+        r = 0.12 + thick*X[:, 1] - bulge*(1 - X[:, 1])
+        Y = X.copy()
+        Y[:, 0] = r*np.cos(along) - 1.5*np.maximum(np.abs(s) - 1, 0)
+        Y[:, 1] = r*np.sin(along)
+        return Y
+
+    def arms(X):
+        return np.stack((0*X[:, 0], 0.1*np.sign(X[:, 1]), 0*X[:, 0]), 1)
+    source = make(tmp_path/"source", Body(
+        cells=(12, 2), moved=bent, displacement=arms))
+    case = mapped(source, make(tmp_path/"case", Body(
+        cells=(60, 8), moved=bent)))
+    X = case.X()
+    wrong = np.abs(case.at("pointD", "0") - arms(X)).max(axis=1)
+    with figures("mapState of a body with a slit") as f:
+        f.equal("says that points are outside", "outside" in case.output, True)
+        f.atMost("displacement of the arms, error / itself",
+                 largest(wrong[X[:, 0] < -0.6])/0.1, 1e-12)
+
+
 def test_stuck(tmp_path, figures):
     """A block that friction holds on a wall, its weight along it, hangs on
     where it has come to rest: it is pulled back to where it began to stick,

@@ -62,9 +62,22 @@ Foam::pointMapping::pointMapping
 
     forAll(target, i)
     {
+        // Where there is none, the cell behind the nearest face of the surface:
+        // not one of another part of the body, whose centre may be nearer
         const label inside = search.findCell(target[i], -1, true);
+        pointIndexHit surface;
+        if (inside < 0)
+        {
+            surface =
+                search.boundaryTree().findNearest(target[i], sqr(GREAT));
+        }
         const label celli =
-            inside >= 0 ? inside : search.findNearestCell(target[i], -1, true);
+            inside >= 0
+          ? inside
+          : source.faceOwner()
+            [
+                search.boundaryTree().shapes().faceLabels()[surface.index()]
+            ];
         const labelList& cell = source.cellPoints()[celli];
         points_[i] = cell;
 
@@ -94,10 +107,6 @@ Foam::pointMapping::pointMapping
         }
 
         const scalar length = boundBox(pointField(points, cell), false).mag();
-        const pointIndexHit surface
-        (
-            search.boundaryTree().findNearest(target[i], sqr(GREAT))
-        );
         const scalar off = mag(surface.hitPoint() - target[i]);
         if (off > length)
         {
