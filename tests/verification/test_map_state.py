@@ -148,6 +148,26 @@ def test_on_two_ranks(tmp_path, figures, dimensions):
                 f.atMost("difference", largest(a - b), 1e-15)
 
 
+@pytest.mark.parametrize("handler", ("masterUncollated", "collated"))
+def test_file_handlers(tmp_path, figures, handler):
+    """The other case has files of its own, whatever those of this one are."""
+    chosen = ("-fileHandler", handler)
+    source = make(tmp_path/"source", Body(
+        cells=(5, 5), displacement=lambda X: 0.1*X))
+    case = make(tmp_path/"case", Body(cells=(7, 7)))
+    for region in "", "body":
+        case.write(f"system/{region}/decomposeParDict", "dictionary",
+                   "numberOfSubdomains 2; method metis;")
+    checked(["decomposePar", "-allRegions", *chosen], case.path)
+    checked(["mpirun", "-np", "2", "mapState", str(source.path), "-parallel",
+             *chosen], case.path)
+    checked(["reconstructPar", "-allRegions", "-withZero", "-fields",
+             "(pointD)", *chosen], case.path)
+    with figures(f"mapState with files of {handler}") as f:
+        f.atMost("linear displacement, error", largest(
+            case.at("pointD", "0") - 0.1*case.X()), 1e-13)
+
+
 def test_two_parts_of_a_body(tmp_path, figures):
     """A point outside of a coarse mesh is of the part that it bulges from, not
     of one across a slit whose small cells have their centres nearer."""

@@ -49,6 +49,7 @@ SourceFiles
 #include "systemChecks.H"
 #include "dictionaryCheck.H"
 #include "syncTools.H"
+#include "fileOperation.H"
 
 using namespace Foam;
 
@@ -70,21 +71,32 @@ void normalise(const word& name, Field<symmTensor>& values)
 
 
 //- Each rank by itself reads the mesh and the fields of the other case, and
-//  searches them
+//  searches them: as files of their own, whatever those of this case are
 class alone
 {
     const bool together_;
+
+    decltype(fileOperation::fileHandlerPtr_) ours_;
 
 public:
 
     alone()
     :
-        together_(UPstream::parRun())
+        together_(UPstream::parRun()),
+        ours_(std::move(fileOperation::fileHandlerPtr_))
     {
         UPstream::parRun() = false;
+        fileOperation::fileHandlerPtr_.reset
+        (
+            fileOperation::New("uncollated", false).ptr()
+        );
     }
 
-    ~alone() { UPstream::parRun() = together_; }
+    ~alone()
+    {
+        fileOperation::fileHandlerPtr_ = std::move(ours_);
+        UPstream::parRun() = together_;
+    }
 };
 
 
