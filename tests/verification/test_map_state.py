@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from vertexContactTests.caseTools import DEFAULT, Case, checked, execute
+from vertexContactTests.caseTools import (DEFAULT, Case, checked, execute,
+                                          solver)
 from vertexContactTests.smallCases import (FLOOR, Body, SmallCase, condition,
                                            coulomb, distorted, largest, polar)
 
@@ -238,6 +239,33 @@ def test_bad_input(tmp_path):
     assert "nearest cell" in message and "source" in message
     message = bad(other, str(source.path))
     assert "(other)" in message and "(body)" in message
+    ran = make(tmp_path/"ran", body, 0.05).run()
+    before = ran.field("0.05", "body", "pointU")
+    assert "this case has run to here" in bad(ran, str(source.path))
+    (ran/"0.05"/"uniform"/"solidSystem").unlink()
+    message = bad(ran, str(source.path))
+    assert "this case has run to here" in message and "body/lm" in message
+    assert np.array_equal(before, ran.field("0.05", "body", "pointU"))
+
+    stale = make(tmp_path/"stale", body)
+    stale.write("0/body/F0", "pointTensorField", """
+dimensions [0 0 0 0 0 0 0]; internalField uniform (1.1 0 0 0 1 0 0 0 1);
+boundaryField { ".*" { type calculated; } "front|back" { type empty; } }""")
+    message = bad(stale, str(source.path))
+    assert "body/F0" in message and "the other case has none" in message
+
+    killed = make(tmp_path/"killed", body, 0.05).run()
+    record = killed/"0.05"/"uniform"/"solidSystem"
+    record.write_bytes(record.read_bytes()[:-60])
+    message = bad(make(tmp_path/"fine", body), str(killed.path))
+    assert "not complete" in message and "0.05" in message
+
+    apart = make(tmp_path/"apart", body, 0.05)
+    apart.decompose(2)
+    checked(solver(2), apart.path)
+    message = bad(make(tmp_path/"fine2", body), str(apart.path))
+    assert "later time 0.05" in message and "reconstructPar" in message
+
     (source/"0"/"body"/"pointU").unlink()
     assert "no pointU" in bad(
         make(tmp_path/"same", body), str(source.path), "-sourceTime", "0")

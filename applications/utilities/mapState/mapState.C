@@ -32,7 +32,9 @@ Usage
     be decomposed (-parallel); each rank reads all of the other one.
 
     Throws FatalIOError if the other case has none of the regions or no pointU
-    at that time, and for points that are not near its mesh.
+    at that time, if that time is not complete or processors have later ones,
+    for points that are not near its mesh, and if the start time has what a run
+    wrote, or a field that the other case has not: states would be mixed.
 
 SourceFiles
     mapState.C
@@ -49,6 +51,7 @@ SourceFiles
 #include "systemChecks.H"
 #include "dictionaryCheck.H"
 #include "syncTools.H"
+#include "writtenTimes.H"
 #include "fileOperation.H"
 
 using namespace Foam;
@@ -100,6 +103,59 @@ public:
 };
 
 
+//- The latest time of the folders of processors, or -GREAT
+scalar latestOfProcessors(const fileName& path)
+{
+    scalar latest = -GREAT;
+    for (const fileName& folder : readDir(path, fileName::DIRECTORY))
+    {
+        if (folder.find("processor") != 0) continue;
+        for (const instant& t : Time::findTimes(path/folder))
+        {
+            if (t.name() != "constant") latest = max(latest, t.value());
+        }
+    }
+    return latest;
+}
+
+
+//- There is a file of that name at the time of a mesh, or in a folder at that
+//  of a case
+bool has
+(
+    const word& name,
+    const objectRegistry& db,
+    const fileName& folder = fileName()
+)
+{
+    IOobject io
+    (
+        name, db.time().timeName(), folder, db,
+        IOobject::MUST_READ, IOobject::NO_WRITE, false
+    );
+    return io.typeHeaderOk<localIOdictionary>(false);
+}
+
+
+//- The file of all regions with a field of the other mesh, or nothing. Of F0
+//  only its own: what that of a case is for depends on the region, and a region
+//  with a file must be one that can take it
+fileName sharedFile(const word& name, const polyMesh& mesh)
+{
+    return name == "F0" ? fileName() : regionFiles::sharedField(name, mesh);
+}
+
+
+//- End where what is there would be mixed with what is mapped
+void refuse(const fileName& file, const char* why)
+{
+    FatalFileErrorInFunction(file)
+        << "The file is there, but " << why << ": it would begin with two "
+        << "states mixed. Remove it, or set 'startTime' to a time without"
+        << exit(FatalIOError);
+}
+
+
 //- How many points of a mesh there are, and how many of them are outside, over
 //  all processors
 labelPair counts(const polyMesh& mesh, const boolList& outside)
@@ -120,8 +176,7 @@ labelPair counts(const polyMesh& mesh, const boolList& outside)
 
 
 //- The values of a point field of the other mesh, in its own file or in that of
-//  the case. Of F0 only its own: what that of a case is for depends on the
-//  region, and a region with a file must be one that can take it
+//  the case
 template<class Type>
 bool readValues(const word& name, const polyMesh& mesh, Field<Type>& values)
 {
@@ -133,10 +188,7 @@ bool readValues(const word& name, const polyMesh& mesh, Field<Type>& values)
         IOobject::MUST_READ, IOobject::NO_WRITE, false
     );
     const bool own = dictionaryCheck::isThere<pointFieldType>(io);
-    const fileName shared
-    (
-        name == "F0" ? fileName() : regionFiles::sharedField(name, mesh)
-    );
+    const fileName shared(sharedFile(name, mesh));
     if (!own && shared.empty()) return false;
 
     // Boundary conditions of the other case are no matter of ours
@@ -229,6 +281,30 @@ int main(int argc, char *argv[])
             << "time" << exit(FatalIOError);
     }
     sourceTime.setTime(times[timei], timei);
+    {
+        const alone here;
+        const scalar latest = latestOfProcessors(sourcePath);
+        if (!args.found("sourceTime") && latest > times[timei].value())
+        {
+            FatalFileErrorInFunction(sourcePath)
+                << "The last time is " << sourceTime.timeName()
+                << ", but processors have the later time " << latest
+                << ". Use reconstructPar, or '-sourceTime'"
+                << exit(FatalIOError);
+        }
+        if (writtenTimes::incomplete(sourcePath/sourceTime.timeName()))
+        {
+            FatalFileErrorInFunction(sourcePath/sourceTime.timeName())
+                << "The time is not complete (was the run killed, or the disk "
+                << "full?). Use '-sourceTime' for an earlier one"
+                << exit(FatalIOError);
+        }
+    }
+    const fileName start(runTime.path()/runTime.timeName());
+    if (has("solidSystem", runTime, "uniform"))
+    {
+        refuse(start/"uniform"/"solidSystem", "this case has run to here");
+    }
 
     const wordList sourceNames(systemChecks::regionNames(sourceTime));
     const wordList names(systemChecks::regionNames(runTime));
@@ -261,6 +337,31 @@ int main(int argc, char *argv[])
         (
             target.points(), source, sourceFile/"pointU"
         );
+
+        for
+        (
+            const word field :
+            {
+                "lm", "pointD", "F0", "CpInv", "epsilonPEq", "pointT",
+                "contactSlide"
+            }
+        )
+        {
+            const bool theirs =
+                field != "lm"
+             && (has(field, source) || sharedFile(field, source).size());
+            here.reset(nullptr);
+            if (!theirs && has(field, target))
+            {
+                refuse
+                (
+                    start/name/field,
+                    field == "lm" ? "this case has run to here"
+                  : "the other case has none"
+                );
+            }
+            here.reset(new alone());
+        }
 
         vectorField velocity;
         const bool there = readValues("pointU", source, velocity);

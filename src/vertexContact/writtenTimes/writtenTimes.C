@@ -18,18 +18,6 @@ namespace
 
 using namespace Foam;
 
-//- What the run itself began to write and did not end
-bool incomplete(const fileName& time)
-{
-    const fileName record(time/"uniform"/"solidSystem");
-    if (isFile(record)) return !writtenTimes::ends(record);
-    for (const fileName& folder : readDir(time, fileName::DIRECTORY))
-    {
-        if (folder != "uniform") return false;
-    }
-    return readDir(time, fileName::FILE).empty();
-}
-
 //- Find the times that are not complete in all processors' folders and deal
 //  with each on this one.
 //  \return the latest that is complete, on the master; empty if that is the
@@ -61,7 +49,7 @@ word forIncomplete(const argList& args, const SetAside& setAside)
     {
         if (times[i].name() != "constant")
         {
-            if (all.empty() || !incomplete(path/times[i].name()))
+            if (all.empty() || !writtenTimes::incomplete(path/times[i].name()))
             {
                 complete.append(times[i].name());
             }
@@ -141,6 +129,18 @@ bool Foam::writtenTimes::ends(const fileName& file)
         last != std::string::npos
      && last + 1 >= divider.size()
      && tail.compare(last + 1 - divider.size(), divider.size(), divider) == 0;
+}
+
+
+bool Foam::writtenTimes::incomplete(const fileName& time)
+{
+    const fileName record(time/"uniform"/"solidSystem");
+    if (isFile(record)) return !ends(record);
+    for (const fileName& folder : readDir(time, fileName::DIRECTORY))
+    {
+        if (folder != "uniform") return false;
+    }
+    return readDir(time, fileName::FILE).empty();
 }
 
 
