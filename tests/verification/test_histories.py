@@ -86,6 +86,26 @@ def test_restart_of_filter(tmp_path, figures):
             key for key in a if a[key][-1] != b[key][-1]], [])
 
 
+@pytest.mark.parametrize("when", (
+    {"executeInterval": 5},
+    {"executeControl": "adjustableRunTime", "executeInterval": 0.01}),
+    ids=("steps", "time"))
+def test_filter_that_sees_some_steps(tmp_path, figures, when):
+    """Also what a filter sees seldom takes the time that it takes."""
+    each = {"filterFrequency": CUT_OFF, "writeControl": "timeStep",
+            "writeInterval": 20}
+    case = falling(
+        tmp_path, some=function("contactForces", **each, **when),
+        every=function("contactForces", **each)).run()
+    some, every = (readResults.table(case.path, name, "ground.dat")
+                   for name in ("some", "every"))
+    key = "bar.left:filteredFx"
+    with figures(f"filter with {when}") as f:
+        f.equal("rows", len(some["Time"]), len(every["Time"]))
+        f.atMost("difference / largest", largest(some[key] - every[key])
+                 / largest(every[key]), 0.02)
+
+
 def bending(folder, **functions):
     """A block whose displacement and velocity are linear in the place."""
     def linear(X):

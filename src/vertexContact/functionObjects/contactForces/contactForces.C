@@ -67,6 +67,8 @@ void Foam::functionObjects::contactForces::filter()
 {
     if (!filter_.valid() || filteredStep_ == runTime_.timeIndex()) return;
     filteredStep_ = runTime_.timeIndex();
+    const scalar since = runTime_.value() - filteredTime_;
+    filteredTime_ = runTime_.value();
 
     // One reduction for all
     List<List<contactInterface::pairState>> pairs(files_.size());
@@ -100,8 +102,8 @@ void Foam::functionObjects::contactForces::filter()
             if (mag(its.minus) + mag(its.plus) > 0 || filtered_.found(key))
             {
                 FixedList<lowPass::state, 2>& s = filtered_(key);
-                filter_->advance(s[0], its.minus, runTime_.deltaTValue());
-                filter_->advance(s[1], its.plus, runTime_.deltaTValue());
+                filter_->advance(s[0], its.minus, since);
+                filter_->advance(s[1], its.plus, since);
             }
         }
     }
@@ -184,6 +186,7 @@ Foam::functionObjects::contactForces::contactForces
         );
         filter_.reset(new lowPass(frequency, nPoles));
         filteredStep_ = runTime_.timeIndex();
+        filteredTime_ = runTime_.value();
         readRecord();
         solids_.records().keep(name, [this](Ostream& os) { writeRecord(os); });
     }
