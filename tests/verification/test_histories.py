@@ -106,6 +106,32 @@ def test_filter_that_sees_some_steps(tmp_path, figures, when):
                  / largest(every[key]), 0.02)
 
 
+def test_restart_of_extremes(tmp_path, figures):
+    """The row after a restart, here at 2.3 instead of 1.2 and 2.4, knows the
+    steps before."""
+    most = []
+    for stages in (2.4,), (1.1, 2.4):
+        case = SmallCase(tmp_path/str(len(stages)), Body(
+            (6, 6), sides={"bottom": condition(
+                "fixedVelocity", velocity=(0, 0, 0))},
+            velocity=lambda X: X*np.array((0, -0.2, 0))), 2.4,
+            preset=DEFAULT, control={"writeInterval": 0.1, "functions": {
+                "peaks": function("solidExtremes", everyStep="yes",
+                                  fields="(sigmaEq pressure)",
+                                  writeControl="adjustableRunTime",
+                                  writeInterval=1.2)}})
+        for end in stages:
+            case.set("system/controlDict", {"endTime": end})
+            case.run()
+        t = readResults.table(case.path, "peaks", "extremes.dat")
+        row = t["body:pressure:max"].argmax()
+        most.append([t[f"body:pressure:max{c}"][row].item()
+                     for c in ("", ":time", ":X", ":Y", ":x", ":y")])
+    with figures("extremes after a restart") as f:
+        f.atMost("time of the largest pressure", most[0][1], 1)
+        f.equal("the same", most[1], most[0])
+
+
 def bending(folder, **functions):
     """A block whose displacement and velocity are linear in the place."""
     def linear(X):

@@ -40,14 +40,23 @@ void Foam::functionObjects::solidExtremes::observe()
             for (const label a : selections_[i].nodes())
             {
                 const scalar value = its.value(values, a);
-                if (value < both[0].value)
+                // Of this step, of equal ones the first
+                const auto first = [&](const label than)
                 {
-                    both[0].value = value;
+                    return
+                        than >= 0
+                     && before(body.meshPoint(a), body.meshPoint(than));
+                };
+                scalar& low = both[0].value;
+                if (value < low || (value == low && first(least)))
+                {
+                    low = value;
                     least = a;
                 }
-                if (value > both[1].value)
+                scalar& high = both[1].value;
+                if (value > high || (value == high && first(most)))
                 {
-                    both[1].value = value;
+                    high = value;
                     most = a;
                 }
             }
@@ -61,6 +70,82 @@ void Foam::functionObjects::solidExtremes::observe()
             }
         };
         fieldComponent::visit(fields_[i], body, look);
+    }
+}
+
+
+Foam::scalarList Foam::functionObjects::solidExtremes::whole() const
+{
+    List<scalarList> all(Pstream::nProcs());
+    scalarList& mine = all[Pstream::myProcNo()];
+    mine.setSize(extreme::width*extremes_.size());
+    scalar* p = mine.data();
+    for (const extreme& e : extremes_)
+    {
+        *p++ = e.value;
+        *p++ = e.time;
+        for (const scalar x : e.position) *p++ = x;
+        for (const scalar x : e.reference) *p++ = x;
+    }
+    Pstream::gatherList(all);
+    if (!Pstream::master()) return scalarList();
+
+    scalarList best(mine);
+    forAll(extremes_, i)
+    {
+        scalar* b = best.data() + extreme::width*i;
+        for (const scalarList& ofRank : all)
+        {
+            const scalar* one = ofRank.cdata() + extreme::width*i;
+            const auto place = [](const scalar* e)
+            {
+                return point(e[5], e[6], e[7]);
+            };
+            if
+            (
+                (i % 2 ? *one > *b : *one < *b)
+             || (
+                    *one == *b
+                 && (
+                        one[1] < b[1]
+                     || (one[1] == b[1] && before(place(one), place(b)))
+                    )
+                )
+            )
+            {
+                std::copy(one, one + extreme::width, b);
+            }
+        }
+    }
+    return best;
+}
+
+
+void Foam::functionObjects::solidExtremes::writeRecord(Ostream& os)
+{
+    observe();
+    const scalarList all(whole());
+    os  << "    extremes (";
+    for (const scalar x : all) os << ' ' << x;
+    os  << ");" << nl;
+}
+
+
+void Foam::functionObjects::solidExtremes::readRecord()
+{
+    const dictionary record(solids_.records().of(name()));
+    if (!Pstream::master() || !record.found("extremes")) return;
+
+    // Fields and selections may be others now
+    const scalarList all(record.get<scalarList>("extremes"));
+    if (all.size() != extreme::width*extremes_.size()) return;
+    const scalar* p = all.cdata();
+    for (extreme& e : extremes_)
+    {
+        e.value = *p++;
+        e.time = *p++;
+        for (scalar& x : e.position) x = *p++;
+        for (scalar& x : e.reference) x = *p++;
     }
 }
 
@@ -129,6 +214,11 @@ Foam::functionObjects::solidExtremes::solidExtremes
     }
 
     writeFirstRow();
+    if (everyStep_)
+    {
+        readRecord();
+        solids_.records().keep(name, [this](Ostream& os) { writeRecord(os); });
+    }
 }
 
 
@@ -159,35 +249,12 @@ bool Foam::functionObjects::solidExtremes::execute()
 bool Foam::functionObjects::solidExtremes::writeRow()
 {
     observe();
-
-    // 8 numbers each
-    constexpr label width = 8;
-    List<scalarList> all(Pstream::nProcs());
-    scalarList& mine = all[Pstream::myProcNo()];
-    mine.setSize(width*extremes_.size());
-    scalar* p = mine.data();
-    for (const extreme& e : extremes_)
-    {
-        *p++ = e.value;
-        *p++ = e.time;
-        for (const scalar x : e.position) *p++ = x;
-        for (const scalar x : e.reference) *p++ = x;
-    }
-    Pstream::gatherList(all);
+    const scalarList all(whole());
     reset();
     if (!Pstream::master()) return true;
 
     *file_ << runTime_.value();
-    forAll(extremes_, i)
-    {
-        const scalar* best = nullptr;
-        for (const scalarList& ofRank : all)
-        {
-            const scalar* one = ofRank.cdata() + width*i;
-            if (!best || (i % 2 ? *one > *best : *one < *best)) best = one;
-        }
-        for (label c = 0; c < width; ++c) *file_ << ' ' << best[c];
-    }
+    for (const scalar x : all) *file_ << ' ' << x;
     *file_ << endl;
     return true;
 }
