@@ -132,6 +132,32 @@ def test_restart_of_extremes(tmp_path, figures):
         f.equal("the same", most[1], most[0])
 
 
+@pytest.mark.parametrize("ranks", (2, 3))
+def test_places_on_ranks(tmp_path, figures, ranks):
+    """Of places that are as near, or have the same value, that by x, y, z, on
+    any number of ranks."""
+    points = ((9/16, 7/16, 0.5), (9/16, 0, 0), (1, 9/16, 0), (7/16, 0.5, 0))
+    cases = []
+    for n in 1, ranks:
+        case = SmallCase(
+            tmp_path/str(n), Body((8, 8), velocity=lambda X: 0.1*np.stack(
+                (np.sin(3*X[:, 0] + X[:, 1]), np.cos(5*X[:, 0]), 0*X[:, 0]),
+                1)), 0.5, preset=DEFAULT, probes={
+                    f"p{i}": ("body", p) for i, p in enumerate(points)})
+        case.set("system/controlDict", {"functions/least": {
+            "type": "solidExtremes", "libs": ["vertexContact"],
+            "fields": ["pointD"]}})
+        assert case.attempt(n)[0] == 0
+        cases.append(case)
+    with figures(f"places on {ranks} ranks") as f:
+        for i, p in enumerate(points):
+            a, b = (np.array(c.probe(f"p{i}", "pointU")[1])[0] for c in cases)
+            f.equal(f"velocity of {p} at the start", a.tolist(), b.tolist())
+        first = [(c/"postProcessing/least/0/extremes.dat").read_text()
+                 .splitlines()[1] for c in cases]
+        f.equal("extremes of what is zero everywhere", *first)
+
+
 def bending(folder, **functions):
     """A block whose displacement and velocity are linear in the place."""
     def linear(X):

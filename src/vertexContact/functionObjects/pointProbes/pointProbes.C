@@ -114,34 +114,49 @@ Foam::functionObjects::pointProbes::pointProbes
         }
     }
 
-    // The nearest node, on the lowest rank that has it
+    // The nearest node, of several the first by its place, on the lowest rank
+    // that has it
+    const scalar asNear = 1 + 1e-6;
+    const auto first = [](const point& a, const point& b)
+    {
+        return before(a, b) ? a : b;
+    };
     const pointField points(dict.get<pointField>("points"));
     const medianDual& dual = body_->dual();
     nodes_.setSize(points.size(), -1);
     forAll(points, i)
     {
         const vector p(body_->dual().projected(points[i]));
-        scalar nearest = GREAT;
+        const auto place = [&](const label a)
+        {
+            return point
+            (
+                body_->expand(dual.nodePosition().cdata() + a*dual.nDim())
+            );
+        };
+        scalar least = GREAT;
+        for (label a = 0; a < dual.nNodes(); ++a)
+        {
+            least = min(least, mag(place(a) - p));
+        }
+        reduce(least, minOp<scalar>());
         label node = -1;
         for (label a = 0; a < dual.nNodes(); ++a)
         {
-            const scalar distance = mag
+            if
             (
-                body_->expand
-                (
-                    dual.nodePosition().cdata() + a*dual.nDim()
-                ) - p
-            );
-            if (distance < nearest)
+                mag(place(a) - p) <= asNear*least
+             && (node < 0 || before(place(a), place(node)))
+            )
             {
-                nearest = distance;
                 node = a;
             }
         }
-        const scalar least = returnReduce(nearest, minOp<scalar>());
+        const point there = node < 0 ? point::uniform(GREAT) : place(node);
         const label rank = returnReduce
         (
-            nearest <= least ? Pstream::myProcNo() : labelMax,
+            there == returnReduce(there, first)
+          ? Pstream::myProcNo() : labelMax,
             minOp<label>()
         );
         if (Pstream::myProcNo() == rank) nodes_[i] = node;
