@@ -636,6 +636,9 @@ BAD = {
               "motion"),
     "motion": ({"motion": {"velocity": (0, 0, 0),
                            "displacement": (0, 0, 0)}}, "motion"),
+    "sine": ({"motion": {"velocity": "sine", "velocityCoeffs": {
+        "frequency": 1, "amplitude": 1, "scale": (0, 1, 0),
+        "level": (0, 0, 0)}}}, "'velocity' is the function sine"),
     "jump": ({"motion": {"displacement": (0.1, 0, 0)}}, "motion"),
     "inertia": ({"inertia": (1, 0, 0, 1, 0, 3)}, "inertia"),
     "unknown": ({"E": 1}, "E"),
@@ -650,6 +653,7 @@ def test_bad_input(tmp_path, name):
                           preset=DEFAULT).attempt()
     assert code != 0 and "FOAM FATAL IO ERROR" in out
     assert keyword in out and "mechanicalProperties" in out
+    assert "FOAM FATAL ERROR" not in out
 
 
 @pytest.mark.parametrize("keyword, value", (

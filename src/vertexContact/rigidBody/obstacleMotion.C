@@ -38,6 +38,30 @@ vector integralOf(const Function1<vector>& f, const scalar time)
       + (last > first ? f.integrate(first, last) : vector(Zero));
 }
 
+//- Functions that OpenFOAM cannot integrate end when they are asked to
+void checkIntegral(const dictionary& dict, const Function1<vector>& f)
+{
+    const bool throws = FatalError.throwExceptions();
+    bool good = true;
+    try
+    {
+        integralOf(f, SMALL);
+    }
+    catch (const Foam::error&)
+    {
+        good = false;
+    }
+    FatalError.throwExceptions(throws);
+    if (!good)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Keyword 'velocity' is the function " << f.type()
+            << ", which OpenFOAM cannot integrate. Use 'displacement', or one "
+            << "that it can, as constant, table or polynomial"
+            << exit(FatalIOError);
+    }
+}
+
 } // End anonymous namespace
 
 
@@ -67,6 +91,7 @@ Foam::obstacleMotion::obstacleMotion
             dictionaryCheck::onlyKeywords(motion, keywords());
             translation_ = Function1<vector>::New(w, motion);
             velocity_ = w == "velocity";
+            if (velocity_) checkIntegral(motion, *translation_);
         }
         if (motion.found("solidBodyMotionFunction")) ++nGiven;
         if (nGiven != 1)
