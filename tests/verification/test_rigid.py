@@ -628,6 +628,23 @@ def test_weight_on_a_held_region(tmp_path, figures):
                  M[half:, 2].mean()/(g*arm), 1, 5e-3)
 
 
+def test_warning_of_the_start_velocity(tmp_path, figures):
+    """Once where pointU is no motion of a rigid body, never of a run that goes
+    on with one that turns."""
+    said = []
+    for name, U in (("turns", spinning((0.5, 0.5, 0), (0, 0, 2))),
+                    ("shears", lambda X: X[:, 1:2]*np.array((1, 0, 0)))):
+        case = SmallCase(tmp_path/name, Body(
+            cells=(3, 3), velocity=U, material=rigid()), 0.1,
+            control={**FIXED, "deltaT": 0.01}, preset=DEFAULT)
+        for end in 0.1, 0.2:
+            case.set("system/controlDict", {"endTime": end})
+            said.append("not one that" in case.attempt()[1])
+    with figures("warnings of the velocity at the start") as f:
+        f.equal("turns, restarted, shears, restarted", said,
+                [False, False, True, False])
+
+
 BAD = {
     "both": ({"mass": 1}, "mass"),
     "axes": ({"freeRotation": "(x y)"}, "freeRotation"),

@@ -207,13 +207,7 @@ void Foam::rigidRegion::fitRigid()
            *magSqr(speed(a) - may.velocity - (may.spin ^ r));
     }
     reduce(lost, sumOp<scalar>());
-    if (lost > largestLost*speedSqr && !rigid_->driven())
-    {
-        WarningInFunction
-            << "Region " << name_ << ": the velocity at the start (pointU) is "
-            << "not one that this rigid body may have. It begins with "
-            << may.velocity << " m/s and " << may.spin << " 1/s" << endl;
-    }
+    velocityLost_ = lost > largestLost*speedSqr && !rigid_->driven();
     rigid_->setMotion(v, time_.value());
 }
 
@@ -360,6 +354,14 @@ void Foam::rigidRegion::checkStart(const scalar time)
 void Foam::rigidRegion::readRigid(const dictionary& record)
 {
     if (record.size()) rigid_->read(record);
+    else if (velocityLost_)
+    {
+        const rigidBody::motionState v(rigid_->motion(0));
+        WarningInFunction
+            << "Region " << name_ << ": the velocity at the start (pointU) is "
+            << "not one that this rigid body may have. It begins with "
+            << v.velocity << " m/s and " << v.spin << " 1/s" << endl;
+    }
     placeAll();
 }
 
