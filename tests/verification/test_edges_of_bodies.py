@@ -120,6 +120,40 @@ def test_wedge_meets_face(tmp_path, figures, nDim, slope, base, more):
                   0.9 if nDim == 2 else 0.1)
 
 
+@pytest.mark.parametrize("distance", (0.02, 0.1, 0.4))
+def test_corner_slides_over_faces(tmp_path, figures, distance):
+    """A rigid block that is held at an angle slides over a finer floor with
+    its corner. Between pairings the overlap at its rim becomes short; its gap
+    was that of a point far off it, so that the corner was thrown up."""
+    R = np.array(((np.cos(0.44), -np.sin(0.44), 0),
+                  (np.sin(0.44), np.cos(0.44), 0), (0, 0, 1)))
+    up = 0.5*(np.cos(0.44) + np.sin(0.44)) + 1e-4
+    block = Body((3, 3), name="block", start=(-0.5, -0.5, 0),
+                 moved=lambda X: X @ R.T + np.array((0, up, 0)),
+                 sides=dict.fromkeys(("left", "right", "bottom", "top"),
+                                     "contact"),
+                 velocity=(0.2, -0.02, 0),
+                 material={"type": "rigid", "rho": 1, "freeRotation": "()"})
+    floor = Body((11, 1), name="floor", start=(-4, -1, 0), size=(8, 1, 1),
+                 sides={"top": "contact"}, material={
+                     "type": "rigid", "rho": 1, "freeTranslation": "()",
+                     "freeRotation": "()"})
+    case = finished(SmallCase(
+        tmp_path, (block, floor), 20,
+        {"all": {"surfaces": "all", "self": "no",
+                 "law": {"type": "frictionless"},
+                 "updateDistance": distance}}, gravity=(0, -0.02, 0),
+        control={"adjustTimeStep": "no", "deltaT": 0.01}, preset=DEFAULT))
+    p = case.momentumOf("block")
+    W = case.energies["total:contactWork"]
+    E = case.energies["block:kinetic"][0]
+    with figures(f"a corner slides, updateDistance {distance}") as f:
+        f.atMost("work of contact / initial energy", W.max()/E, 1e-6)
+        f.atLeast("vertical momentum, largest", p[:, 1].max(), 0.01)
+        f.atLeast("least momentum along the floor / initial",
+                  p[:, 0].min()/p[0, 0], 0.9 if distance < 0.2 else 0.3)
+
+
 def test_corners_that_have_passed_do_not_pull(tmp_path, figures):
     """A rigid square meets one that turns, corner at corner, and the corners
     slide off each other between pairings: the overlap of both has a negative

@@ -122,6 +122,7 @@ struct movingArea
     FixedList<vector2D, 2> momentGrowth =
         FixedList<vector2D, 2>(vector2D::zero);
     vector2D sweep = vector2D::zero;
+    vector2D bend = vector2D::zero;
 
     //- Second moments, uu, uw, ww
     FixedList<scalar, 3> second = FixedList<scalar, 3>(scalar(0));
@@ -163,6 +164,7 @@ struct movingArea
         momentGrowth[0] += middle.x()*moves;
         momentGrowth[1] += middle.y()*moves;
         sweep += max(follows - 0.5, scalar(0))*normal;
+        bend += 0.5*sqr(follows)*normal;
     }
 
     //- \param twice   its area
@@ -203,6 +205,7 @@ struct movingArea
         overlapMotion m;
         m.growth = g.x()*u + g.y()*w;
         m.sweep = (sweep.x()*u + sweep.y()*w)/area;
+        m.bend = (bend.x()*u + bend.y()*w)/area;
         if (w == vector::zero)
         {
             // There is one direction only
