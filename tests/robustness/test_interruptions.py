@@ -611,7 +611,8 @@ def test_pairs_modified(tmp_path, figures, change):
         os.utime(case/"rewritten", (time.time() + 60,)*2)
         os.replace(case/"rewritten", file)
         if change == "order":
-            run.reach(10)
+            # It slides for 13 s
+            run.reach(20)
             run.kill()
         log = run.end()[1]
     p = [case.momentumOf(name)[:, 0] for name in ("slick", "rough")]
