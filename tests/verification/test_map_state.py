@@ -1,5 +1,7 @@
 """mapState: a case begins with the state of another one, on another mesh."""
 
+import shutil
+
 import numpy as np
 import pytest
 
@@ -253,6 +255,17 @@ dimensions [0 0 0 0 0 0 0]; internalField uniform (1.1 0 0 0 1 0 0 0 1);
 boundaryField { ".*" { type calculated; } "front|back" { type empty; } }""")
     message = bad(stale, str(source.path))
     assert "body/F0" in message and "the other case has none" in message
+
+    # What is wrong with one region is found before another one is written
+    def pair(**first):
+        return [Body(cells=(4, 4), name="a", **first),
+                Body(cells=(4, 4), name="b", start=(3, 0, 0))]
+
+    two = make(tmp_path/"two", pair(displacement=lambda X: 0.1*X))
+    half = make(tmp_path/"half", pair())
+    shutil.copytree(stale/"0"/"body", half/"0"/"b", dirs_exist_ok=True)
+    assert "b/F0" in bad(half, str(two.path))
+    assert not (half/"0"/"a"/"pointD").exists()
 
     killed = make(tmp_path/"killed", body, 0.05).run()
     record = killed/"0.05"/"uniform"/"solidSystem"

@@ -306,70 +306,107 @@ int main(int argc, char *argv[])
         refuse(start/"uniform"/"solidSystem", "this case has run to here");
     }
 
+    // The meshes of the regions that both have. All is looked at before
+    // anything is written
     const wordList sourceNames(systemChecks::regionNames(sourceTime));
     const wordList names(systemChecks::regionNames(runTime));
+    PtrList<polyMesh> targets(names.size()), sources(names.size());
+    PtrList<pointMapping> mappings(names.size());
     label nMapped = 0;
-    for (const word& name : names)
+    forAll(names, i)
     {
+        const word& name = names[i];
         if (!sourceNames.found(name))
         {
             Info<< "Region " << name << ": not in the other case" << nl;
             continue;
         }
         ++nMapped;
-        const polyMesh target
+        targets.set
         (
-            IOobject(name, runTime.timeName(), runTime, IOobject::MUST_READ)
-        );
-        autoPtr<alone> here(new alone());
-        const polyMesh source
-        (
-            IOobject
+            i,
+            new polyMesh
             (
-                name, sourceTime.timeName(), sourceTime, IOobject::MUST_READ
+                IOobject
+                (
+                    name, runTime.timeName(), runTime, IOobject::MUST_READ
+                )
             )
         );
         const fileName sourceFile
         (
             sourceTime.path()/sourceTime.timeName()/name
         );
-        const pointMapping mapping
-        (
-            target.points(), source, sourceFile/"pointU"
-        );
-
-        for
-        (
-            const word field :
-            {
-                "lm", "pointD", "F0", "CpInv", "epsilonPEq", "pointT",
-                "contactSlide"
-            }
-        )
+        wordList missing({"lm"});
+        bool moves = false;
         {
-            const bool theirs =
-                field != "lm"
-             && (has(field, source) || sharedFile(field, source).size());
-            here.reset(nullptr);
-            if (!theirs && has(field, target))
-            {
-                refuse
+            const alone here;
+            sources.set
+            (
+                i,
+                new polyMesh
                 (
-                    start/name/field,
-                    field == "lm" ? "this case has run to here"
-                  : "the other case has none"
-                );
+                    IOobject
+                    (
+                        name, sourceTime.timeName(), sourceTime,
+                        IOobject::MUST_READ
+                    )
+                )
+            );
+            mappings.set
+            (
+                i,
+                new pointMapping
+                (
+                    targets[i].points(), sources[i], sourceFile/"pointU"
+                )
+            );
+            const auto theirs = [&](const word& field)
+            {
+                return
+                    has(field, sources[i])
+                 || sharedFile(field, sources[i]).size();
+            };
+            moves = theirs("pointU");
+            for
+            (
+                const word field :
+                {
+                    "pointD", "F0", "CpInv", "epsilonPEq", "pointT",
+                    "contactSlide"
+                }
+            )
+            {
+                if (!theirs(field)) missing.append(field);
             }
-            here.reset(new alone());
         }
-
-        vectorField velocity;
-        const bool there = readValues("pointU", source, velocity);
-        here.reset(nullptr);
-        if (!there)
+        if (!moves)
         {
             FatalFileErrorInFunction(sourceFile)
                 << "There is no pointU" << exit(FatalIOError);
+        }
+        for (const word& field : missing)
+        {
+            if (!has(field, targets[i])) continue;
+            refuse
+            (
+                start/name/field,
+                field == "lm" ? "this case has run to here"
+              : "the other case has none"
+            );
+        }
+    }
+    forAll(names, i)
+    {
+        if (!sources.set(i)) continue;
+        const word& name = names[i];
+        const polyMesh& target = targets[i];
+        const polyMesh& source = sources[i];
+        const pointMapping& mapping = mappings[i];
+        vectorField velocity;
+        {
+            const alone here;
+            readValues("pointU", source, velocity);
         }
         pointVectorField pointU
         (

@@ -83,6 +83,9 @@ void Foam::symmetryConstraint::makeIsotropic
     const label end
 ) const
 {
+    // Most nodes have one
+    if (end - first < 2) return;
+
     const auto along = [&](const label k)
     {
         const scalar* n = normals_.cdata() + k*D;
