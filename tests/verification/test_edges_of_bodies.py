@@ -6,7 +6,8 @@ import pytest
 
 from vertexContactTests.caseTools import DEFAULT
 from vertexContactTests.smallCases import (ELASTIC, FLOOR, SIDES, Body,
-                                           SmallCase, interface, largest)
+                                           SmallCase, condition, interface,
+                                           largest)
 
 
 def onto(direction):
@@ -70,7 +71,7 @@ def test_corner_meets_corner(tmp_path, figures, cells, speeds, apart):
     E = case.keptEnergy
     p = case.momentumOf("a")
     with figures(f"corners of {cells} cells, {speeds}, {apart} apart") as f:
-        f.atMost("largest energy / initial", E.max()/E[0], 1.04)
+        f.atMost("largest energy / initial", E.max()/E[0], 1 + 1e-6)
         f.atLeast("change of the momentum / initial",
                   largest(p - p[0])/largest(p[0] + case.momentumOf("b")[0]),
                   0.01)
@@ -150,8 +151,10 @@ def test_corner_slides_over_faces(tmp_path, figures, distance):
     with figures(f"a corner slides, updateDistance {distance}") as f:
         f.atMost("work of contact / initial energy", W.max()/E, 1e-6)
         f.atLeast("vertical momentum, largest", p[:, 1].max(), 0.01)
-        f.atLeast("least momentum along the floor / initial",
-                  p[:, 0].min()/p[0, 0], 0.9 if distance < 0.2 else 0.3)
+        if distance < 0.2:
+            # Further than that it may meet what it has not been told of
+            f.atLeast("least momentum along the floor / initial",
+                      p[:, 0].min()/p[0, 0], 0.9)
 
 
 def test_corners_that_have_passed_do_not_pull(tmp_path, figures):
@@ -186,3 +189,130 @@ def test_corners_that_have_passed_do_not_pull(tmp_path, figures):
         f.atLeast("least area of a pair that touches [m2]",
                   case.contact("all")["area"].min(), 0)
         f.atLeast("largest loss of energy / initial", 1 - E.min()/E[0], 0.1)
+
+
+class OnePatch(Body):
+    """A block whose sides are one patch, as those of most meshes are."""
+
+    @property
+    def patches(self):
+        return ("outer", *list(SIDES)[2*self.dimensions:])
+
+    def condition(self, side):
+        return condition("contact") if side == "outer" \
+            else super().condition(side)
+
+    def mesh(self):
+        outer = " ".join(f"({face})" for direction, face in SIDES.values()
+                         if direction < self.dimensions)
+        faces = {side: f"(({SIDES[side][1]}))" for side in self.patches[1:]}
+        return {**super().mesh(), "boundary": self.boundary(
+            {"outer": f"({outer})", **faces})}
+
+
+def turned(angle, axis):
+    axis = np.array(axis)/np.linalg.norm(axis)
+    K = np.array(((0, -axis[2], axis[1]), (axis[2], 0, -axis[0]),
+                  (-axis[1], axis[0], 0)))
+    return np.eye(3) + np.sin(angle)*K + (1 - np.cos(angle))*K @ K
+
+
+def thrown(seed, nDim, kind=Body):
+    """Two or three blocks of one to four cells a side, rigid, soft or stiff,
+    turned anyhow, fly at each other and spin."""
+    g = np.random.default_rng(seed)
+    materials = ({"type": "rigid", "rho": 1},
+                 {"type": "neoHookean", "rho": 1, "E": 5, "nu": 0.3},
+                 {"type": "neoHookean", "rho": 4, "E": 100, "nu": 0.3})
+    blocks = []
+    for i in range(int(g.integers(2, 4))):
+        cells = tuple(int(n) for n in g.integers(1, 5, nDim))
+        R = turned(g.uniform(0, 6), (0, 0, 1) if nDim == 2 else g.normal(size=3))
+        spin = np.zeros(3)
+        if nDim == 2:
+            spin[2] = g.uniform(-0.4, 0.4)
+            centre = np.array((1.8*i, g.uniform(-0.5, 0.5), 0))
+            speed = np.array((-0.15*i*g.uniform(0.5, 1.5),
+                              g.uniform(-0.05, 0.05), 0))
+        else:
+            spin = g.uniform(-0.4, 0.4, 3)
+            centre = np.array((2.15*i, *g.uniform(-0.4, 0.4, 2)))
+            speed = np.array((-0.15*i*g.uniform(0.5, 1.5),
+                              *g.uniform(-0.05, 0.05, 2)))
+        size = g.uniform(0.7, 1.2, 3)
+        if nDim == 2:
+            size[2] = 1
+        blocks.append(kind(
+            cells, name="abc"[i], size=tuple(size),
+            start=(*-size[:2]/2, -size[2]/2 if nDim == 3 else 0),
+            sides=sidesOf(nDim), material=materials[int(g.integers(3))],
+            moved=lambda X, R=R, c=centre: X @ R.T + c,
+            velocity=lambda X, v=speed, w=spin, c=centre:
+                v + np.cross(w, X - c)))
+    return blocks
+
+
+@pytest.mark.parametrize("nDim, seed, kind", (
+    (2, 224, Body), (2, 281, Body), (2, 297, Body), (2, 242, Body),
+    (3, 206, Body), (3, 208, Body), (3, 226, Body), (3, 233, Body),
+    (3, 204, OnePatch), (3, 208, OnePatch)))
+def test_blocks_thrown_at_each_other(tmp_path, figures, nDim, seed, kind):
+    """Which faces of two corners or edges are opposite each other, and which
+    way is out, changes as these pass. Of a hundred and forty such scenes
+    eleven stopped, since faces at the back of a corner were found inside the
+    other body, and fourteen gained up to 4.4 times their energy."""
+    blocks = thrown(seed, nDim, kind)
+    alone = all(b.material["type"] == "rigid" for b in blocks)
+    steps = {"adjustTimeStep": "no", "deltaT": 0.005} if alone else {}
+    case = finished(SmallCase(
+        tmp_path, blocks, 6,
+        {"all": {"surfaces": "all", "self": "no",
+                 "law": {"type": "frictionless"}}},
+        control={"maxCo": 0.9, "writeInterval": 6, **steps}, preset=DEFAULT))
+    E = case.keptEnergy
+    p = np.array([case.momentumOf(b.name) for b in blocks])
+    W = case.energies["total:contactWork"]
+    with figures(f"blocks {seed}, {nDim}D, {kind.__name__}") as f:
+        f.atMost("largest energy / initial", E.max()/E[0], 1 + 1e-6)
+        f.atMost("work of contact / initial energy", W.max()/E[0], 1e-6)
+        f.atLeast("change of a momentum / largest",
+                  largest(p[:, -1] - p[:, 0])/largest(p), 0.05)
+        f.atMost("change of the sum / largest momentum",
+                 largest(p.sum(axis=0) - p.sum(axis=0)[0])/largest(p), 1e-12)
+
+
+@pytest.mark.parametrize("cells, step", ((4, 2.5e-3), (8, 2.5e-3), (8, 5e-4)))
+def test_edge_across_edge(tmp_path, figures, cells, step):
+    """Two rigid bars cross, and meet with an edge each. The surface of a bar
+    is far larger than what presses: taken to press with all of it they were
+    soft, went into each other by a third of a face and more, and left with
+    three times their energy, sideways. Which way they go depends on the mesh
+    still: faces at an edge are pressed along the mean of their normals."""
+    def bar(name, along, at, speed):
+        size = np.full(3, 0.5)
+        size[along] = 2
+        R = turned(np.pi/4, np.eye(3)[along])
+        n = np.full(3, cells)
+        n[along] = 4*cells
+        return Body(
+            tuple(int(i) for i in n), name=name, start=tuple(-size/2),
+            size=tuple(size), sides=sidesOf(3),
+            moved=lambda X: X @ R.T + np.array(at), velocity=(0, speed, 0),
+            material={"type": "rigid", "rho": 1})
+
+    high = 0.5*np.sqrt(2) + 0.02
+    bars = (bar("a", 0, (0, 0, 0), 0.05),
+            bar("b", 2, (0.03, high, 0.01), -0.05))
+    case = finished(SmallCase(
+        tmp_path, bars, 2,
+        {"all": {"surfaces": "all", "self": "no",
+                 "law": {"type": "frictionless"}}},
+        control={"adjustTimeStep": "no", "deltaT": step, "writeInterval": 2},
+        functions=("contactForces",), preset=DEFAULT))
+    E = case.keptEnergy
+    p = case.momentumOf("a")
+    with figures(f"edge across edge, {cells} cells, steps of {step}") as f:
+        f.atMost("largest energy / initial", E.max()/E[0], 1 + 1e-6)
+        f.atMost("momentum along the axis / initial", p[-1, 1]/p[0, 1], 0)
+        f.atMost("largest penetration / cell",
+                 case.contact("all")["penetration"].max()*cells/0.5, 0.3)

@@ -322,6 +322,32 @@ Foam::rigidRegion::rigidRegion
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+void Foam::rigidRegion::setOpposite
+(
+    const List<boolList>& corners,
+    const scalar area
+)
+{
+    // All of the surface, corners with something opposite, overlaps: these are
+    // more where a corner meets several faces, less where they begin
+    vector areas(0, 0, area);
+    forAll(corners_, patchi)
+    {
+        if (!corners_.set(patchi) || !condition(patchi).contact()) continue;
+        const scalarField& its = corners_[patchi].geometry.cornerArea;
+        const boolList& opposite = corners[patchi];
+        forAll(its, k)
+        {
+            areas.x() += its[k];
+            if (opposite.size() && opposite[k]) areas.y() += its[k];
+        }
+    }
+    reduce(areas, sumOp<vector>());
+    const scalar most = max(areas.y(), areas.z());
+    oppositeShare_ = most > 0 ? min(scalar(1), most/areas.x()) : 1;
+}
+
+
 void Foam::rigidRegion::checkStart(const scalar time)
 {
     // Pushed by a jump, others would get energy from nowhere

@@ -30,11 +30,48 @@ struct meet
     }
 };
 
-//- One more face of this processor
-template<class MapType, class Key>
-void count(MapType& faces, const Key& key)
+//- By how much the normals of two faces differ at an edge of the body
+constexpr scalar sharp = 1 + ROOTSMALL;
+
+//- What the faces of a patch have at an edge, or a point: the one face, least
+//  and largest components of their normals
+template<template<class> class MapType>
+struct facesAt
 {
-    if (!faces.insert(key, Pstream::myProcNo())) faces.set(key, shared);
+    MapType<label> face;
+    MapType<vector> least;
+    MapType<vector> most;
+
+    explicit facesAt(const label size)
+    :
+        face(size),
+        least(size),
+        most(size)
+    {}
+
+    //- One more face of this processor
+    template<class Key>
+    void add(const Key& key, const vector& n)
+    {
+        if (!face.insert(key, Pstream::myProcNo())) face.set(key, shared);
+        if (!least.insert(key, n)) least.set(key, min(least[key], n));
+        if (!most.insert(key, n)) most.set(key, max(most[key], n));
+    }
+
+    //- Of two faces the components differ by as much as the least and the
+    //  largest ones
+    template<class Key>
+    bool rim(const Key& key) const
+    {
+        return face[key] != shared || mag(most[key] - least[key]) > sharp;
+    }
+};
+
+//- Outward unit normals of the faces of a boundary
+vectorField normals(const polyPatch& faces)
+{
+    const vectorField areas(faces.faceAreas());
+    return areas/max(mag(areas), VSMALL);
 }
 
 //- Of a face, from a corner to the next
@@ -63,37 +100,47 @@ Foam::boolList Foam::patchRim::corners
     rim.setSize(patch.nCorners(), false);
     if (nDim == 1) return rim;
 
+    const polyPatch& faces = mesh.boundaryMesh()[patch.patchIndex];
+    const vectorField n(normals(faces));
     if (nDim == 2)
     {
-        const polyPatch& faces = mesh.boundaryMesh()[patch.patchIndex];
-        Map<label> points(4*patch.nFaces());
+        facesAt<Map> points(4*patch.nFaces());
         for (const label f : patch.facePatchFace)
         {
-            for (const label p : faces[f]) count(points, p);
+            for (const label p : faces[f]) points.add(p, n[f]);
         }
-        syncTools::syncPointMap(mesh, points, meet());
-        forAll(rim, k) rim[k] = points[patch.cornerPoint[k]] != shared;
+        syncTools::syncPointMap(mesh, points.face, meet());
+        syncTools::syncPointMap(mesh, points.least, minEqOp<vector>());
+        syncTools::syncPointMap(mesh, points.most, maxEqOp<vector>());
+        forAll(rim, k) rim[k] = points.rim(patch.cornerPoint[k]);
         return rim;
     }
 
-    // Call a function for each corner and its edge
+    // Call a function for each corner, its edge and its face
     const auto forEdges = [&](const auto& f)
     {
+        label facei = 0;
         patch.forFaces([&](const dualPatch::face& its)
         {
             for (label j = 0; j < its.size; ++j)
             {
-                f(its.start + j, edgeFrom(patch, its, j));
+                f(its.start + j, edgeFrom(patch, its, j), facei);
             }
+            ++facei;
         });
     };
-    EdgeMap<label> edges(4*patch.nFaces());
-    forEdges([&](const label, const edge& e) { count(edges, e); });
-    syncTools::syncEdgeMap(mesh, edges, meet());
-    forEdges
-    (
-        [&](const label k, const edge& e) { rim[k] = edges[e] != shared; }
-    );
+    facesAt<EdgeMap> edges(4*patch.nFaces());
+    forEdges([&](const label, const edge& e, const label f)
+    {
+        edges.add(e, n[patch.facePatchFace[f]]);
+    });
+    syncTools::syncEdgeMap(mesh, edges.face, meet());
+    syncTools::syncEdgeMap(mesh, edges.least, minEqOp<vector>());
+    syncTools::syncEdgeMap(mesh, edges.most, maxEqOp<vector>());
+    forEdges([&](const label k, const edge& e, const label)
+    {
+        rim[k] = edges.rim(e);
+    });
     return rim;
 }
 

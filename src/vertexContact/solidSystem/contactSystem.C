@@ -9,6 +9,7 @@
 #include "solidBody.H"
 #include "dictionaryCheck.H"
 #include "generalInterface.H"
+#include "rankRows.H"
 #include "stopwatch.H"
 #include "systemChecks.H"
 
@@ -30,6 +31,62 @@ const Foam::dictionary& Foam::contactSystem::dictionaries() const
         }
     }
     return list;
+}
+
+
+void Foam::contactSystem::setOpposite()
+{
+    for (solidBody& body : bodies_)
+    {
+        if (!body.rigid() || body.immovable()) continue;
+
+        List<boolList> corners(body.mesh().boundaryMesh().size());
+        scalar all = 0;
+        const contactInterface::visitor visit = [&]
+        (
+            const contactSide& side,
+            const labelUList& some,
+            const scalar area
+        )
+        {
+            if (side.body != &body) return;
+            boolList& its = corners[side.patchi];
+            if (its.empty())
+            {
+                its.setSize
+                (
+                    body.corners(side.patchi).geometry.nCorners(), false
+                );
+            }
+            for (const label k : some) its[k] = true;
+            all += area;
+        };
+        for (const contactInterface& contact : interfaces_)
+        {
+            contact.forOpposite(visit);
+        }
+        body.setOpposite(corners, all);
+    }
+}
+
+
+void Foam::contactSystem::limitPushes()
+{
+    DynamicList<contactInterface::push> pushes;
+    for (const contactInterface& contact : interfaces_)
+    {
+        contact.askPushes(pushes);
+    }
+    if (Pstream::parRun())
+    {
+        combineRows(pushes, plusEqOp<scalar>());
+        scatterRows(pushes);
+    }
+    label place = 0;
+    for (contactInterface& contact : interfaces_)
+    {
+        contact.limitPushes(pushes, place);
+    }
 }
 
 
@@ -82,6 +139,7 @@ void Foam::contactSystem::read(const Time& runTime)
     (
         contactIO.objectPath(), bodies_, interfaces_
     );
+    setOpposite();
 }
 
 
@@ -122,6 +180,11 @@ void Foam::contactSystem::solve(const scalar time, const bool firstStage)
     }
     for (contactInterface& contact : interfaces_)
     {
+        contact.find();
+    }
+    limitPushes();
+    for (contactInterface& contact : interfaces_)
+    {
         contact.solve(time, firstStage);
     }
     // In a step of no length nothing touches
@@ -156,6 +219,7 @@ void Foam::contactSystem::pair(const scalar time, const bool all)
         if (contact.moves()) found = contact.update(time, all) || found;
     }
     nPairings_ += found;
+    setOpposite();
 }
 
 

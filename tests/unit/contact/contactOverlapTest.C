@@ -11,6 +11,7 @@ Description
 
 #include "testEnvironment.H"
 #include "contactOverlap.H"
+#include "overlapShape.H"
 #include <array>
 #include <map>
 
@@ -166,56 +167,135 @@ TEST_CASE("Overlaps cover a face inside another one", "[contact]")
 }
 
 
-TEST_CASE("An overlap reaches as far as it is long", "[contact]")
+TEST_CASE("What is pressed does not depend on how it is divided", "[contact]")
 {
-    // Corners of a unit square, all in one corner of a large face
-    const contactFace square
-    (
-        faceOf({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, 0, up)
-    );
-    const contactFace large
-    (
-        faceOf
-        (
-            {{-1, -1, 0.1}, {-1, 10, 0.1}, {10, 10, 0.1}, {10, -1, 0.1}},
-            4, -up
-        )
-    );
-    const auto quarters = overlapsOf(square, large, true);
-    REQUIRE(quarters.size() == 4);
-    for (const contactOverlap& o : quarters)
-    {
-        for (const vector& d : {vector(1, 0, 0), vector(0, 1, 0)})
-        {
-            REQUIRE((d & (o.extent & d)) == Approx(1.0/16).epsilon(1e-12));
-        }
-        REQUIRE(std::abs(o.extent.xy()) < 1e-14);
-        REQUIRE(mag(o.extent & up) < 1e-14);
-    }
-
-    // Turned with the faces
-    const scalar c = std::cos(0.4), s = std::sin(0.4);
+    // Corners of a unit square, all in one corner of a large face; turned
+    const scalar angle = GENERATE(0.0, 0.4);
+    const scalar c = std::cos(angle), s = std::sin(angle);
     const tensor R(c, -s, 0, s, c, 0, 0, 0, 1);
     const auto turned = [&](std::vector<point> x)
     {
         for (point& p : x) p = R & p;
         return x;
     };
-    const auto straight = overlapsOf
+    const contactFace square
     (
-        faceOf(kite, 0, up), faceOf(around, 4, -up), true
+        faceOf(turned({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}), 0, up)
     );
-    const auto other = overlapsOf
+    const contactFace large
     (
-        faceOf(turned(kite), 0, up), faceOf(turned(around), 4, -up), true
+        faceOf
+        (
+            turned
+            ({
+                {-1, -1, 0.1}, {-1, 10, 0.1}, {10, 10, 0.1}, {10, -1, 0.1}
+            }),
+            4, -up
+        )
     );
-    REQUIRE(straight.size() == other.size());
-    forAll(straight, i)
+    const auto quarters = overlapsOf(square, large, true);
+    REQUIRE(quarters.size() == 4);
+
+    // Negative in a triangle at the first corner, or in all but one at the last
+    const scalar zero = GENERATE(0.3, 0.5, 0.9, 1.2, 1.7);
+    const vector grows(R & vector(1, 1, 0));
+    const scalar rest = 2 - zero;
+    const scalar area = zero < 1 ? 0.5*sqr(zero) : 1 - 0.5*sqr(rest);
+    const scalar middle =
+        zero < 1 ? zero/3 : (0.5 - 0.5*sqr(rest)*(1 - rest/3))/area;
+
+    scalar sum = 0;
+    vector moment(Zero);
+    for (const contactOverlap& o : quarters)
     {
-        const tensor E(straight[i].extent);
-        REQUIRE(mag((R & E & R.T()) - tensor(other[i].extent)) < 1e-13);
-        REQUIRE(tr(E) > 0);
+        vector centroid(Zero);
+        for (label k = 0; k < o.minus.size; ++k)
+        {
+            centroid += o.minus.value[k]*square.x[o.minus.corner[k]];
+        }
+        typedef overlapShape<4>::vectorType vectorType;
+        const auto all = [](const vector& a)
+        {
+            return vectorType
+            {
+                uniform<lanes>(a.x()), uniform<lanes>(a.y()),
+                uniform<lanes>(a.z())
+            };
+        };
+        std::vector<vector2D> edges(o.edges.begin(), o.edges.end());
+        overlapShape<4> shape;
+        for (int l = 0; l < nLanes; ++l) shape.set(l, o, edges, 0);
+        vectorType way;
+        const lanes share = shape.negative
+        (
+            uniform<lanes>((grows & centroid) - zero), all(grows),
+            all(vector::zero), uniform<lanes>(1), uniform<lanes>(1), way
+        );
+        // All of it, whatever the sign, where it does not change
+        const bool any =
+            share[0] < 1 || (grows & centroid) < zero;
+        if (!any) continue;
+        sum += 0.25*share[0];
+        moment +=
+            0.25*share[0]
+           *(centroid + vector(way[0][0], way[1][0], way[2][0]));
     }
+    REQUIRE(sum == Approx(area).epsilon(1e-12));
+    moment = R.T() & moment;
+    REQUIRE(moment.x() == Approx(area*middle).epsilon(1e-12));
+    REQUIRE(moment.y() == Approx(area*middle).epsilon(1e-12));
+}
+
+
+TEST_CASE("Faces that got inside each other past their rims", "[contact]")
+{
+    // The minus side is above the plus side by 0.3, and over it by a strip
+    const scalar strip = GENERATE(0.1, 0.29, 0.31, 0.8);
+    const scalar high = GENERATE(0.3, -0.3);
+    const auto squareAt = [](const scalar x, const scalar z, const vector& n)
+    {
+        contactFace f
+        (
+            faceOf
+            (
+                {{x, 0, z}, {x + 1, 0, z}, {x + 1, 1, z}, {x, 1, z}}, 0, n
+            )
+        );
+        f.rim = FixedList<bool, 4>(true);
+        return f;
+    };
+    contactFace minus(squareAt(0, high, up));
+    const contactFace plus(squareAt(1 - strip, 0, -up));
+    const auto beside = [&](const contactFace& a, const contactFace& b)
+    {
+        return contactOverlaps::beside(a, b, up, vector::zero, 3);
+    };
+    REQUIRE(beside(minus, plus) == (high > 0 && strip < 0.3));
+
+    // Which goes on beyond the strip
+    minus.rim[1] = false;
+    REQUIRE_FALSE(beside(minus, plus));
+
+    // In 2D, of lines
+    const auto lineAt = [](const scalar x, const scalar y, const vector& n)
+    {
+        contactFace f;
+        f.size = 2;
+        f.n = f.N = n;
+        f.x[0] = f.X[0] = point(x, y, 0);
+        f.x[1] = f.X[1] = point(x + 1, y, 0);
+        f.rim[0] = f.rim[1] = true;
+        return f;
+    };
+    const vector upwards(0, 1, 0);
+    REQUIRE
+    (
+        contactOverlaps::beside
+        (
+            lineAt(0, high, upwards), lineAt(1 - strip, 0, -upwards), upwards,
+            vector(0, 0, 1), 2
+        ) == (high > 0 && strip < 0.3)
+    );
 }
 
 

@@ -292,7 +292,7 @@ bool Foam::bodyInterface::update(const scalar time, const bool all)
     }
     pairing_->update(time, now[0], now[1]);
     resize();
-    if (!pairing_->active()) statistics_ = statistics();
+    if (!pairing_->active()) forget();
     return true;
 }
 
@@ -325,7 +325,22 @@ void Foam::bodyInterface::follow
     pairing_->setActive(active);
     pairing_->follow(time, minus, plus);
     resize();
-    if (!active) statistics_ = statistics();
+    if (!active) forget();
+}
+
+
+void Foam::bodyInterface::forOpposite(const visitor& visit) const
+{
+    if (!pairing_->active() || !minus_.body->variational()) return;
+
+    scalar minus = 0, plus = 0;
+    for (const contactOverlap& o : pairing_->overlaps())
+    {
+        minus += o.minus.area;
+        plus += o.plus.area;
+    }
+    visit(minus_, minusCorners_, minus);
+    visit(plus_, pairing_->plusCorners(), plus);
 }
 
 
@@ -347,7 +362,6 @@ void Foam::bodyInterface::remember()
 
 void Foam::bodyInterface::solve(const scalar, const bool firstStage)
 {
-    statistics_ = statistics();
     if (!pairing_->active())
     {
         return;
@@ -356,11 +370,10 @@ void Foam::bodyInterface::solve(const scalar, const bool firstStage)
     if (minus_.body->variational())
     {
         bodyInterface* pair = this;
-        const UList<bodyInterface*> alone(&pair, 1);
-        if (law().sticks()) startSlides(alone, exchange_);
-        solveForces(alone, exchange_, firstStage);
+        exchangeForces(UList<bodyInterface*>(&pair, 1), exchange_, firstStage);
         return;
     }
+    statistics_ = statistics();
     send();
 
     cornerStates& M = minus_.body->corners(minus_.patchi);

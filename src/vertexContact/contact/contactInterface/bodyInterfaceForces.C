@@ -112,6 +112,7 @@ void Foam::bodyInterface::findNear()
 
     typename kernelType::levers lever;
     typename kernelType::place at;
+    asked_ = push();
     all.clear();
     for (label i = 0; i < kernel.size(); ++i)
     {
@@ -177,12 +178,31 @@ void Foam::bodyInterface::findNear()
                 p, at.stretch[l], true, bonded, shift, deltaT, gives
             );
             countClosing(p, b.depth[l]);
+            if (!bonded)
+            {
+                asked_.asked += contactLayer::push(p, deltaT);
+                asked_.inside += p.gap < -closingGap*b.depth[l];
+            }
             tellGap(b, l, p.gap);
             lose
             (
                 closed_[slot], minus_, minusCorners_[slot], p.gap,
                 lostDepth*b.depth[l], b.depth[l]
             );
+        }
+    }
+}
+
+
+template<int nNodes>
+void Foam::bodyInterface::limitNear(const scalar share)
+{
+    for (nearBlock<nNodes>& near : nearBlocks<nNodes>())
+    {
+        for (label k = 0; k < near.size; ++k)
+        {
+            contactLaw::problem& p = near.problems[k];
+            if (p.gap < 0) contactLayer::limit(p, share);
         }
     }
 }
@@ -398,11 +418,10 @@ void Foam::bodyInterface::startAnswers()
 }
 
 
-void Foam::bodyInterface::solveForces
+void Foam::bodyInterface::findForces
 (
     const UList<bodyInterface*>& pairs,
-    contactExchange& exchange,
-    const bool firstStage
+    contactExchange& exchange
 )
 {
     for (bodyInterface* pair : pairs) pair->startForces();
@@ -417,7 +436,47 @@ void Foam::bodyInterface::solveForces
         pair->withNodes([&](auto N) { pair->findNear<N.value>(); });
         pair->found_ = pair->statistics_;
     }
-    exchangeForces(pairs, exchange, firstStage);
+}
+
+
+void Foam::bodyInterface::find()
+{
+    statistics_ = statistics();
+    asked_ = push();
+    if (!pairing_->active() || !minus_.body->variational()) return;
+
+    bodyInterface* pair = this;
+    const UList<bodyInterface*> alone(&pair, 1);
+    if (law().sticks()) startSlides(alone, exchange_);
+    findForces(alone, exchange_);
+}
+
+
+void Foam::bodyInterface::askPushes(DynamicList<push>& all) const
+{
+    if (law().bonded() || !minus_.body->variational()) return;
+
+    push p(asked_);
+    p.taken = account_.taken;
+    p.inside =
+        account_.startsInside
+      + (minus_.body->lastStep() > 0 ? 0 : asked_.inside);
+    all.append(p);
+}
+
+
+void Foam::bodyInterface::limitPushes(const UList<push>& all, label& place)
+{
+    if (law().bonded() || !minus_.body->variational()) return;
+
+    const push& p = all[place++];
+    account_.taken = Pstream::master() ? p.taken : 0;
+    account_.startsInside = Pstream::master() && p.inside > 0 ? 1 : 0;
+    const scalar share = p.share();
+    if (share < 1)
+    {
+        withNodes([&](auto N) { limitNear<N.value>(share); });
+    }
 }
 
 
@@ -477,6 +536,29 @@ void Foam::bodyInterface::tell
         setState(side, k, answers[i], newStatus);
         body.contact().add(cornerNode[k], answers[i].nodeForce);
     }
+}
+
+
+Foam::scalar Foam::bodyInterface::taken
+(
+    const contactSide& side,
+    const labelList& corners,
+    const UList<nodeAnswer>& told,
+    const scalar middle
+)
+{
+    const solidBody& body = *side.body;
+    const labelList& node = body.corners(side.patchi).geometry.cornerNode;
+    scalar power = 0;
+    forAll(corners, i)
+    {
+        const vector& f = told[i].nodeForce;
+        if (f != vector::zero)
+        {
+            power += f & body.meanStepVelocity(node[corners[i]]);
+        }
+    }
+    return -middle*power;
 }
 
 
@@ -565,10 +647,28 @@ void Foam::bodyInterface::slideOverlaps
 
 void Foam::bodyInterface::slide(const scalar middle, const scalar deltaT)
 {
-    if (!law().sticks() || !pairing_->active()) return;
+    if (!pairing_->active()) return;
 
     bodyInterface* pair = this;
-    slide(UList<bodyInterface*>(&pair, 1), exchange_, middle, deltaT);
+    const UList<bodyInterface*> alone(&pair, 1);
+    take(alone, middle);
+    if (law().sticks()) slide(alone, exchange_, middle, deltaT);
+}
+
+
+void Foam::bodyInterface::take
+(
+    const UList<bodyInterface*>& pairs,
+    const scalar middle
+)
+{
+    for (bodyInterface* pair : pairs)
+    {
+        bodyInterface& p = *pair;
+        p.account_.taken +=
+            taken(p.minus_, p.minusCorners_, p.toMinus_, middle)
+          + taken(p.plus_, p.pairing_->plusCorners(), p.toOwn_, middle);
+    }
 }
 
 

@@ -33,7 +33,9 @@ void Foam::contactInterface::account::write(Ostream& os) const
 {
     os  << "    impulse " << impulse << ';' << nl
         << "    plusImpulse " << plusImpulse << ';' << nl
-        << "    friction " << friction << ';' << nl;
+        << "    friction " << friction << ';' << nl
+        << "    taken " << taken << ';' << nl
+        << "    startsInside " << startsInside << ';' << nl;
 }
 
 
@@ -48,6 +50,8 @@ Foam::contactInterface::account Foam::contactInterface::account::read
         sums.impulse = record.get<vector>("impulse");
         sums.plusImpulse = record.get<vector>("plusImpulse");
         sums.friction = record.getOrDefault<scalar>("friction", 0);
+        sums.taken = record.getOrDefault<scalar>("taken", 0);
+        sums.startsInside = record.getOrDefault<scalar>("startsInside", 0);
     }
     return sums;
 }

@@ -98,7 +98,7 @@ void Foam::generalInterface::join()
         bodyInterface& part = parts_[i];
         if (!part.concerned())
         {
-            part.forgetStatistics();
+            part.forget();
             continue;
         }
         acting.append(&part);
@@ -437,12 +437,47 @@ void Foam::generalInterface::remember()
 }
 
 
+bool Foam::generalInterface::variational() const
+{
+    return surfaces_.size() && surfaces_[0].body->variational();
+}
+
+
+void Foam::generalInterface::forOpposite(const visitor& visit) const
+{
+    for (const label i : active_) parts_[i].forOpposite(visit);
+}
+
+
+void Foam::generalInterface::find()
+{
+    if (!variational()) return;
+    bodyInterface::startSlides(sticking_, slideExchange_);
+    bodyInterface::findForces(acting_, exchange_);
+}
+
+
+void Foam::generalInterface::askPushes(DynamicList<push>& all) const
+{
+    for (const label i : active_) parts_[i].askPushes(all);
+}
+
+
+void Foam::generalInterface::limitPushes
+(
+    const UList<push>& all,
+    label& place
+)
+{
+    for (const label i : active_) parts_[i].limitPushes(all, place);
+}
+
+
 void Foam::generalInterface::solve(const scalar time, const bool firstStage)
 {
-    if (surfaces_.size() && surfaces_[0].body->variational())
+    if (variational())
     {
-        bodyInterface::startSlides(sticking_, slideExchange_);
-        bodyInterface::solveForces(acting_, exchange_, firstStage);
+        bodyInterface::exchangeForces(acting_, exchange_, firstStage);
     }
     else
     {
@@ -468,6 +503,7 @@ void Foam::generalInterface::accumulate(const scalar weightedDeltaT)
 
 void Foam::generalInterface::slide(const scalar middle, const scalar deltaT)
 {
+    bodyInterface::take(acting_, middle);
     scalar before = 0, after = 0;
     for (const bodyInterface* part : sticking_) before += part->sums().friction;
     bodyInterface::slide(sticking_, slideExchange_, middle, deltaT);

@@ -493,6 +493,14 @@ bool Foam::obstacleInterface::update(const scalar time, const bool)
 }
 
 
+void Foam::obstacleInterface::forOpposite(const visitor& visit) const
+{
+    labelList corners(planes_.size());
+    forAll(planes_, i) corners[i] = planes_[i].corner;
+    visit(side_, corners, 0);
+}
+
+
 void Foam::obstacleInterface::remember()
 {
     const bodyContact& contact = side_.body->contact();

@@ -5,7 +5,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "contactOverlap.H"
-#include "vector2D.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -124,31 +123,22 @@ struct movingArea
     vector2D sweep = vector2D::zero;
     vector2D bend = vector2D::zero;
 
-    //- Second moments, uu, uw, ww
-    FixedList<scalar, 3> second = FixedList<scalar, 3>(scalar(0));
-
-    //- Add what a triangle has, by its nodes from the origin
-    void addSecond(const vector2D& a, const vector2D& b, const vector2D& c)
-    {
-        const vector2D sum(a + b + c);
-        const scalar share = cross(b - a, c - a)/24;
-        for (const vector2D& x : {a, b, c, sum})
-        {
-            second[0] += share*sqr(x.x());
-            second[1] += share*x.x()*x.y();
-            second[2] += share*sqr(x.y());
-        }
-    }
+    //- In 2D the second moment; in 3D its edges, from the origin
+    scalar second = 0;
+    DynamicList<vector2D> edges;
 
     //- contactOverlap::extent
-    symmTensor extent(const vector& u, const vector& w) const
+    symmTensor extent(const vector& u) const
     {
-        const vector2D c(moment/area);
-        const scalar uu = second[0]/area - sqr(c.x());
-        const scalar uw = second[1]/area - c.x()*c.y();
-        const scalar ww = second[2]/area - sqr(c.y());
-        return
-            3*(uu*sqr(u) + uw*twoSymm(u*w) + ww*sqr(w));
+        return 3*second/area*sqr(u);
+    }
+
+    //- contactOverlap::edges
+    List<vector2D> outline() const
+    {
+        List<vector2D> all(edges);
+        for (vector2D& x : all) x -= moment/area;
+        return all;
     }
 
     //- An edge, by its middle, and length times outer normal
@@ -180,15 +170,13 @@ struct movingArea
     {
         area += 0.5*twice;
         moment += 0.5*twice*(at - origin);
-        for (label i = 1; i + 1 < g.size; ++i)
-        {
-            addSecond(g.p[0] - origin, g.p[i] - origin, g.p[i + 1] - origin);
-        }
         for (label i = 0; i < g.size; ++i)
         {
             const vector2D& a = g.p[i];
             const vector2D& b = g.p[(i + 1) % g.size];
             const vector2D d(b - a);
+            edges.append(a - origin);
+            edges.append(b - origin);
             addEdge
             (
                 0.5*(a + b) - origin, vector2D(d.y(), -d.x()), g.follows[i]
@@ -272,6 +260,62 @@ struct projection
             x[i] = vector2D(f.x[i] & u, f.x[i] & w);
             centre += x[i]/size;
         }
+    }
+
+    //- All of it in 3D, turned to the left
+    polygon whole() const
+    {
+        polygon all;
+        for (label i = 0; i < size; ++i) all.append(x[i]);
+        if (doubleArea(all) < 0) all.turnAround();
+        return all;
+    }
+
+    //- Unit normal into the face of the edge from a node to the next, in 2D of
+    //  the node
+    vector2D inward(const label i) const
+    {
+        const vector2D along(x[(i + 1) % size] - x[i]);
+        if (size == 2) return along/max(mag(along), VSMALL);
+        const scalar side = cross(along, centre - x[i]) < 0 ? -1 : 1;
+        return side/max(mag(along), VSMALL)*vector2D(-along.y(), along.x());
+    }
+
+    //- How far a point is inside that edge
+    scalar within(const label i, const vector2D& at) const
+    {
+        return (at - x[i]) & inward(i);
+    }
+
+    //- Of a point of the face, whether the surface ends there in a direction
+    bool endsAt(const vector2D& at, const vector2D& direction) const
+    {
+        bool ends = false;
+        for (label i = 0; i < size; ++i)
+        {
+            const scalar onEdge =
+                Foam::sqrt(SMALL)*mag(x[(i + 1) % size] - x[i]);
+            if
+            (
+                mag(within(i, at)) > onEdge
+             || (inward(i) & direction) > -Foam::sqrt(SMALL)
+            )
+            {
+                continue;
+            }
+            if (!face.rim[i]) return false;
+            ends = true;
+        }
+        return ends;
+    }
+
+    //- The point of the face above one of the plane
+    Foam::point above(const vector2D& at) const
+    {
+        const FixedList<scalar, 4> N(weights(at));
+        Foam::point sum(Zero);
+        for (label i = 0; i < size; ++i) sum += N[i]*face.x[i];
+        return sum;
     }
 
     //- Parts of all corners of a face in 3D; returns their number.
@@ -438,6 +482,36 @@ contactStencil stencil
     return s;
 }
 
+//- Directions of the plane across n, in 2D one, in 1D none
+void alongPlane
+(
+    const vector& n,
+    const vector& outOfPlane,
+    const label nDim,
+    vector& u,
+    vector& w
+)
+{
+    u = w = Zero;
+    if (nDim == 3)
+    {
+        const direction least =
+            mag(n.x()) < mag(n.y())
+          ? (mag(n.x()) < mag(n.z()) ? 0 : 2)
+          : (mag(n.y()) < mag(n.z()) ? 1 : 2);
+        vector e(Zero);
+        e[least] = 1;
+        u = e ^ n;
+        u /= mag(u);
+        w = n ^ u;
+    }
+    else if (nDim == 2)
+    {
+        u = outOfPlane ^ n;
+        u /= max(mag(u), VSMALL);
+    }
+}
+
 //- Add what a side has in another piece of an overlap
 void join(contactStencil& a, const contactStencil& b)
 {
@@ -486,6 +560,87 @@ Foam::contactStencil Foam::contactOverlaps::whole
 }
 
 
+bool Foam::contactOverlaps::beside
+(
+    const contactFace& minus,
+    const contactFace& plus,
+    const vector& n,
+    const vector& outOfPlane,
+    const label nDim
+)
+{
+    if (nDim == 1) return false;
+    const auto hasRim = [](const contactFace& f)
+    {
+        for (label i = 0; i < f.size; ++i) if (f.rim[i]) return true;
+        return false;
+    };
+    if (!hasRim(minus) || !hasRim(plus)) return false;
+
+    vector u, w;
+    alongPlane(n, outOfPlane, nDim, u, w);
+    const projection a(minus, u, w), b(plus, u, w);
+
+    // What the faces have in common
+    polygon common;
+    if (nDim == 2)
+    {
+        const scalar from = max
+        (
+            min(a.x[0].x(), a.x[1].x()), min(b.x[0].x(), b.x[1].x())
+        );
+        const scalar to = min
+        (
+            max(a.x[0].x(), a.x[1].x()), max(b.x[0].x(), b.x[1].x())
+        );
+        if (from >= to) return false;
+        common.append(vector2D(from, 0));
+        common.append(vector2D(to, 0));
+    }
+    else
+    {
+        common = clipped(a.whole(), b.whole(), 0);
+        if (common.size < 3 || doubleArea(common) <= 0) return false;
+    }
+    vector2D at(Zero);
+    for (label i = 0; i < common.size; ++i) at += common.p[i]/common.size;
+    const scalar inside = (a.above(at) - b.above(at)) & n;
+    if (inside <= 0) return false;
+
+    // The least way of one of them out over a rim of the other
+    scalar least = GREAT;
+    const auto leave = [&](const projection& over, const projection& other)
+    {
+        for (label i = 0; i < over.size; ++i)
+        {
+            if (!over.face.rim[i]) continue;
+            scalar furthest = 0;
+            label which = -1;
+            for (label k = 0; k < common.size; ++k)
+            {
+                const scalar way = over.within(i, common.p[k]);
+                if (way > furthest)
+                {
+                    furthest = way;
+                    which = k;
+                }
+            }
+            if
+            (
+                which >= 0
+             && other.endsAt(common.p[which], over.inward(i))
+            )
+            {
+                least = min(least, furthest);
+            }
+        }
+    };
+    leave(a, b);
+    leave(b, a);
+    return inside > least;
+}
+
+
 void Foam::contactOverlaps::append
 (
     const contactFace& minus,
@@ -499,24 +654,8 @@ void Foam::contactOverlaps::append
 {
     const scalar onLine = joined ? alongEdge : 0;
 
-    vector u(Zero), w(Zero);
-    if (nDim == 3)
-    {
-        const direction least =
-            mag(n.x()) < mag(n.y())
-          ? (mag(n.x()) < mag(n.z()) ? 0 : 2)
-          : (mag(n.y()) < mag(n.z()) ? 1 : 2);
-        vector e(Zero);
-        e[least] = 1;
-        u = e ^ n;
-        u /= mag(u);
-        w = n ^ u;
-    }
-    else if (nDim == 2)
-    {
-        u = outOfPlane ^ n;
-        u /= max(mag(u), VSMALL);
-    }
+    vector u, w;
+    alongPlane(n, outOfPlane, nDim, u, w);
     const projection a(minus, u, w), b(plus, u, w);
 
     const label first = overlaps.size();
@@ -559,7 +698,14 @@ void Foam::contactOverlaps::append
         for (label k = first; joined && k < overlaps.size(); ++k)
         {
             overlaps[k].motion = moving[k - first].motion(u, w);
-            overlaps[k].extent = moving[k - first].extent(u, w);
+            if (nDim == 2)
+            {
+                overlaps[k].extent = moving[k - first].extent(u);
+                continue;
+            }
+            overlaps[k].edges = moving[k - first].outline();
+            overlaps[k].u = u;
+            overlaps[k].w = w;
         }
     };
 
@@ -639,7 +785,7 @@ void Foam::contactOverlaps::append
                 const scalar half = 0.5*(to - from);
                 movingArea& m = moving[k];
                 m.area = to - from;
-                m.second[0] = m.area*sqr(half)/3;
+                m.second = m.area*sqr(half)/3;
                 m.addEdge(vector2D(half, 0), vector2D(1, 0), follows(true));
                 m.addEdge(vector2D(-half, 0), vector2D(-1, 0), follows(false));
             }

@@ -280,7 +280,14 @@ void Foam::contactPairings::nearestFace::pairFaces
             const contactFace& b =
                 where.size() ? faces[where[i]] : received[others[i].face];
             vector n;
-            if (opposed(face, b, n))
+            if
+            (
+                opposed(face, b, n)
+             && (
+                    bonded_
+                 || !contactOverlaps::beside(face, b, n, out, nDim)
+                )
+            )
             {
                 contactOverlaps::append
                 (
