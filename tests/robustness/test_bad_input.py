@@ -337,6 +337,10 @@ CASES = {
         plastic("JohnsonCook { A 1; B 1; n 1; C 0; m 1; Tmelt 200; } "
                 "adiabaticHeating { cp 400; }"),
         ("mechanicalProperties", "Tmelt", "200", "above Troom")),
+    "melted at first": (
+        plastic("JohnsonCook { A 1; B 1; n 1; C 0; m 1; Tmelt 200; Troom 20; } "
+                "adiabaticHeating { cp 400; }"),
+        ("mechanicalProperties", "Tmelt", "200", "above T0")),
     "Johnson and Cook without A": (
         plastic("JohnsonCook { B 1; n 1; C 0; }"),
         ("mechanicalProperties", "JohnsonCook", "A")),

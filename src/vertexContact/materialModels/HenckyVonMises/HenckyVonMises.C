@@ -57,15 +57,15 @@ void Foam::HenckyVonMises::readHeating(const dictionary& dict)
     if (softens)
     {
         const dictionary& law = dict.subDict("JohnsonCook");
-        if (!law.found("Troom"))
-        {
-            JohnsonCook_.Troom = T0_;
-            require
-            (
-                JohnsonCook_.Tmelt > T0_, law, "Tmelt", JohnsonCook_.Tmelt,
-                "above Troom, which is T0 unless it is given"
-            );
-        }
+        const bool given = law.found("Troom");
+        if (!given) JohnsonCook_.Troom = T0_;
+        require
+        (
+            JohnsonCook_.Tmelt > T0_, law, "Tmelt", JohnsonCook_.Tmelt,
+            given
+          ? "above T0 of adiabaticHeating: melted, it has no yield stress"
+          : "above Troom, which is T0 unless it is given"
+        );
         thermalJohnsonCook_ = hardening::thermalJohnsonCook(JohnsonCook_);
         curve_ = curve::thermalJohnsonCook;
     }
