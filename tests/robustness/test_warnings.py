@@ -93,6 +93,54 @@ def test_rise_of_energy(tmp_path, preset, gains):
     assert ("of its largest value, without work" in output) == gains, output
 
 
+def pressed(folder, gap, control=None, motion=None):
+    """A block that comes down on another one, at a start with a gap, and far
+    below an obstacle that may move."""
+    blocks = [Body(cells=(4, 4), name=name, start=(0, y, 0), material=RUBBER,
+                   velocity=(0, v, 0), sides={side: "contact"})
+              for name, y, v, side in (
+                  ("lower", 0, 0, "top"),
+                  ("upper", 1 + gap, -0.01, "bottom"))]
+    interfaces = {"contact": interface(
+        ("lower", "top"), ("upper", "bottom"), coulomb(0.3),
+        pairing="nearestFace")}
+    if motion:
+        interfaces["far"] = {
+            "side": ("lower", "top"), "motion": motion, "obstacle": {
+                "type": "sphere", "origin": (0, -9, 0), "radius": 1},
+            "law": {"type": "frictionless"}}
+    return SmallCase(folder, blocks, 4, interfaces=interfaces, preset=DEFAULT,
+                     control={"logInterval": 10, **(control or {})})
+
+
+@pytest.mark.parametrize("gap, motion, gives", (
+    (-0.025, None, True), (-0.025, {"velocity": (0, 0.01, 0)}, False),
+    (0.01, None, False)))
+def test_contact_that_gives_energy(tmp_path, gap, motion, gives):
+    """Surfaces a tenth of a cell inside each other are pushed apart: a warning,
+    and the end if it is asked for. What obstacles that move give is right."""
+    case = pressed(tmp_path/"warned", gap, motion=motion)
+    code, output = case.attempt()
+    assert code == 0, output
+    given = case.energies["total:contactWork"].max()/case.totalEnergy.max()
+    assert (given > 0.5) == (gap < 0), given
+    assert ("Contact has given" in output) == gives, output
+    code, output = pressed(tmp_path/"stopped", gap,
+                           {"maxEnergyRise": 0.05}, motion).attempt()
+    assert (code != 0) == gives, output
+    assert ("The energy has risen" in output) == gives, output
+    assert ("inside each other at the start" in output) == gives, output
+
+
+def test_contact_that_gave_before(tmp_path):
+    """A run that goes on does not end for what was given before it."""
+    case = pressed(tmp_path, -0.025)
+    assert case.attempt()[0] == 0
+    case.set("system/controlDict", {"endTime": 4.2, "maxEnergyRise": 0.05})
+    code, output = case.attempt()
+    assert code == 0 and "Contact has given" not in output, output
+
+
 @BOTH
 def test_linear_law_blows_up(tmp_path, preset):
     """Numbers of a linear law stay finite for very long."""

@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "energyAccounts.H"
+#include "obstacleInterface.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -158,10 +159,16 @@ Foam::List<Foam::bodyEnergies> Foam::energyAccounts::compute
           + e.relaxationDissipation - e.externalWork - e.contactWork;
         all.last() += e;
     }
+    bool obstacleMoves = false;
     for (const contactInterface& contact : interfaces)
     {
         all.last().frictionDissipation += contact.sums().friction;
+        const auto* obstacle = dynamic_cast<const obstacleInterface*>(&contact);
+        obstacleMoves =
+            obstacleMoves || (obstacle && obstacle->motion().moves());
     }
+    all.last().contactGain =
+        obstacleMoves ? 0 : all.last().contactWork - givenBefore_;
     reduce(all.last().frictionDissipation, sumOp<scalar>());
     return all;
 }
@@ -172,7 +179,7 @@ Foam::scalar Foam::energyAccounts::rise(const bodyEnergies& all)
     const scalar own = all.kept() - all.externalWork - all.contactWork;
     least_ = min(least_, own);
     largest_ = max(largest_, all.total());
-    return own - least_;
+    return max(own - least_, all.contactGain);
 }
 
 
@@ -189,11 +196,13 @@ void Foam::energyAccounts::read(const dictionary& record)
         begin();
         return;
     }
+    givenBefore_ = 0;
     forAll(bodies_, i)
     {
         const dictionary& body =
             record.subDict("region_" + bodies_[i].name());
         initial_[i] = body.get<scalar>("initialEnergy");
+        givenBefore_ += body.getOrDefault<scalar>("contactWork", 0);
         if (Pstream::master())
         {
             for (const accountEntry& a : accountEntries)
@@ -202,6 +211,7 @@ void Foam::energyAccounts::read(const dictionary& record)
             }
         }
     }
+    givenBefore_ = max(givenBefore_, scalar(0));
 }
 
 

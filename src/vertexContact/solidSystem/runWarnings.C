@@ -89,6 +89,7 @@ void Foam::runWarnings::checkEnergies
         rise_[i] = max(rise_[i], now - least_[i]);
     }
     largest_ = max(largest_, e.total());
+    given_ = max(given_, e.contactGain);
 }
 
 
@@ -97,7 +98,18 @@ void Foam::runWarnings::reportGain() const
     // Obstacles that move do work, which the first does not know; and the
     // second takes what contact stores and gives back for a rise
     const scalar rise = min(rise_[0], rise_[1]);
-    if (!warnedOfGain_ && rise > gains*largest_)
+    if (given_ > gains*largest_)
+    {
+        WarningInFunction
+            << "Contact has given the bodies " << 100*given_/largest_
+            << " % of their largest energy, though no obstacle moves." << nl
+            << "    Likely causes: surfaces that were inside each other at the "
+            << "start (checkContact); a mesh that is too coarse where edges "
+            << "or corners meet." << nl
+            << "    'maxEnergyRise' in controlDict ends a run where it happens."
+            << endl;
+    }
+    else if (!warnedOfGain_ && rise > gains*largest_)
     {
         WarningInFunction
             << "The energy has risen by " << 100*rise/largest_

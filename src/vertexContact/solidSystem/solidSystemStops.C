@@ -196,7 +196,10 @@ void Foam::solidSystem::checkEnergy()
     (
         os.str(),
         where,
-        integrator_.leapfrog()
+        rise == all.last().contactGain
+      ? "surfaces that are not inside each other at the start; a finer mesh "
+        "where edges or corners meet: contact has given the energy."
+      : integrator_.leapfrog()
       ? "a smaller maxCo, or 'cells simplicial'."
       : "a smaller maxCo, 'reconstruction linear', which never gains energy, "
         "or 'cells simplicial'."
