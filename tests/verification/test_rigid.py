@@ -373,6 +373,52 @@ def test_turning_region(tmp_path, figures):
             case.at("lm") - U)/largest(U), 0.1*(angle/steps)**2)
 
 
+# Angular velocities, and the angle at the time 1. Beyond their ends tables keep
+# their values
+OMEGAS = {
+    "from rest": (table((0, 0), (10, 1)), 0.05),
+    "point at 0": (table((-1, 0), (0, 0.5), (2, 1)), 0.625),
+    "begins late": (table((0.5, 1), (2, 1)), 1),
+    "ends early": (table((0, 0), (0.5, 1)), 0.75),
+    "in parts": (None, 0.05)}
+
+
+@pytest.mark.parametrize("name", OMEGAS)
+def test_turned_by_a_table(tmp_path, figures, name):
+    """A table of the angular velocity turns a region by its integral, also
+    where the run goes on from the middle. OpenFOAM ends at time 0."""
+    omega, angle = OMEGAS[name]
+    origin, n, steps = np.array((0.5, -1, 0.5)), (0, 0, 1), 100
+    motion = turning(n, omega, origin) if omega else {
+        "solidBodyMotionFunction": "multiMotion", "multiMotionCoeffs": {
+            "one": turning(n, table((0, 0), (10, 0.5)), origin),
+            "two": turning(n, table((0, 0), (10, 0.5)), origin)}}
+    case = SmallCase(tmp_path, Body(cells=(2, 2, 2), material=rigid(
+        motion=motion)), 0.5, preset=DEFAULT,
+        control={**FIXED, "deltaT": 1/steps}).run()
+    case.set("system/controlDict", {"endTime": 1})
+    case.run()
+    r = case.X() - origin
+    way = turned(r, n, angle) - r
+    with figures(f"rigid region turned by a table, {name}") as f:
+        f.atMost("way from theory / largest",
+                 largest(case.at("pointD") - way)/largest(way), 1e-12)
+
+
+def test_turned_from_time_0(tmp_path, figures):
+    """OpenFOAM's axisRotationMotion divides by zero at time 0."""
+    rate, origin = 30, np.array((0.5, -1, 0.5))
+    case = SmallCase(tmp_path, Body(cells=(2, 2, 2), material=rigid(motion={
+        "solidBodyMotionFunction": "axisRotationMotion",
+        "origin": origin, "radialVelocity": (0, 0, rate)})), 1,
+        preset=DEFAULT, control={**FIXED, "deltaT": 0.01}).run()
+    r = case.X() - origin
+    way = turned(r, (0, 0, 1), np.radians(rate)) - r
+    with figures("rigid region turned by axisRotationMotion") as f:
+        f.atMost("way from theory / largest",
+                 largest(case.at("pointD") - way)/largest(way), 1e-12)
+
+
 # Displacement, velocity and angle of motions
 def waves(t):
     return np.array((0.3*np.sin(2*t), 0.2*t**2, 0.1*np.cos(3*t) - 0.1))
@@ -430,7 +476,8 @@ def test_velocity_of_a_moved_region(tmp_path, figures, name):
             f.within("ratio of two steps", errors[0]/errors[1], 4, 0.5)
 
 
-def test_turning_obstacle(tmp_path, figures):
+@pytest.mark.parametrize("omega", (0.05, table((0, 0), (10, 1))))
+def test_turning_obstacle(tmp_path, figures, omega):
     """A plane that a motion turns below a block is where the rotation brings
     it: the gaps of the block say so."""
     n, angle, origin = (0.6, 0, 0.8), 0.05, np.array((-1, -0.2, 0.3))
@@ -438,7 +485,7 @@ def test_turning_obstacle(tmp_path, figures):
         cells=(4, 4, 4), name="block", sides={"bottom": "contact"}), 1,
         interfaces={"c": {
             "side": ("block", "bottom"), "law": {"type": "frictionless"},
-            "motion": turning(n, angle, origin), "obstacle": {
+            "motion": turning(n, omega, origin), "obstacle": {
                 "type": "plane", "planeType": "pointAndNormal",
                 "pointAndNormalDict": {"point": origin,
                                        "normal": (0, 1, 0)}}}},
@@ -645,7 +692,34 @@ def test_warning_of_the_start_velocity(tmp_path, figures):
                 [False, False, True, False])
 
 
+def moved(name, beside=None, **coeffs):
+    return {"motion": {"solidBodyMotionFunction": name,
+                       f"{name}Coeffs": coeffs, **(beside or {})}}
+
+
+TURN = {"origin": (0, 0, 0), "axis": (0, 0, 1), "omega": 1}
 BAD = {
+    "axis": (moved("rotatingMotion", **{**TURN, "axis": (0, 0, 0)}),
+             "'axis' is (0 0 0)"),
+    "rate": (moved("rotatingMotion", **{**TURN, "omega": "sine"}, omegaCoeffs={
+        "frequency": 1, "amplitude": 1, "scale": 1, "level": 0}),
+        "'omega' is the function sine"),
+    "coefficient": (moved("rotatingMotion", **TURN, omeag=1),
+                    "'omeag'. Did you mean 'omega'"),
+    "beside": (moved("linearMotion", {"velcity": (0, 0, 5)},
+                     velocity=(0, 1, 0)), "'velcity'"),
+    "without Coeffs": ({"motion": {
+        "solidBodyMotionFunction": "rotatingMotion", **TURN, "axsi": 1}},
+        "'axsi'. Did you mean 'axis'"),
+    "no pose": (moved("drivenLinearMotion", CofGvelocity="U"),
+                "nowhere at a time that is given"),
+    "no motion": (moved("multiMotion"), "multiMotion"),
+    "no dictionary": (moved("multiMotion", a=1), "'a' of multiMotion"),
+    "part": (moved("multiMotion", a={
+        "solidBodyMotionFunction": "linearMotion", "linearMotionCoeffs": {
+            "velocity": (0, 0, 0), "velcity": 1}}), "'velcity'"),
+    "no table": (moved("tabulated6DoFMotion", CofG=(0, 0, 0),
+                       timeDataFileName='"missing"'), "Cannot open"),
     "both": ({"mass": 1}, "mass"),
     "axes": ({"freeRotation": "(x y)"}, "freeRotation"),
     "direction": ({"freeTranslation": "(up)"}, "freeTranslation"),
@@ -671,6 +745,24 @@ def test_bad_input(tmp_path, name):
     assert code != 0 and "FOAM FATAL IO ERROR" in out
     assert keyword in out and "mechanicalProperties" in out
     assert "FOAM FATAL ERROR" not in out
+
+
+@pytest.mark.parametrize("first, last, told", (
+    (0, 0.5, "no pose at time 1 s"), (0.5, 1, "no pose at time 0 s"),
+    (0, 1, "")))
+def test_table_of_a_motion(tmp_path, first, last, told):
+    """One that does not reach over the run is told of before the first step."""
+    tmp_path.mkdir(exist_ok=True)
+    (tmp_path/"poses").write_text(
+        f"(({first} ((0 0 0) (0 0 0))) ({last} ((0 1 0) (0 0 0))))\n")
+    case = SmallCase(tmp_path/"case", Body(cells=(1, 1, 1), material=rigid(
+        **moved("tabulated6DoFMotion", CofG=(0, 0, 0),
+                timeDataFileName=f'"{tmp_path}/poses"'))), 1,
+        control={**FIXED, "deltaT": 0.1}, preset=DEFAULT)
+    code, out = case.attempt()
+    assert (code == 0) == (not told), out
+    assert told in out and "FOAM FATAL ERROR" not in out, out
+    assert ("mechanicalProperties.motion" in out) == bool(told), out
 
 
 @pytest.mark.parametrize("keyword, value", (

@@ -6,8 +6,7 @@
 
 #include "obstacleMotion.H"
 #include "dictionaryCheck.H"
-#include "TableBase.H"
-#include "IStringStream.H"
+#include "functionIntegral.H"
 #include "polyMesh.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -19,48 +18,6 @@ using namespace Foam;
 
 //- Of a pose that is found by arithmetic, and of an interval of time
 constexpr scalar roundOff = 1e-14, resolved = 1e-8;
-
-//- Integral of a function from time 0 on. Tables, which OpenFOAM integrates
-//  between their ends only, keep their first and last values beyond them
-vector integralOf(const Function1<vector>& f, const scalar time)
-{
-    if (time <= 0) return vector::zero;
-
-    typedef Function1Types::TableBase<vector> tableType;
-    const auto* table = dynamic_cast<const tableType*>(&f);
-    if (!table) return f.integrate(0, time);
-
-    const scalarField x(table->x());
-    const scalar first = min(max(x.first(), scalar(0)), time);
-    const scalar last = max(min(x.last(), time), first);
-    return
-        first*f.value(x.first()) + (time - last)*f.value(x.last())
-      + (last > first ? f.integrate(first, last) : vector(Zero));
-}
-
-//- Functions that OpenFOAM cannot integrate end when they are asked to
-void checkIntegral(const dictionary& dict, const Function1<vector>& f)
-{
-    const bool throws = FatalError.throwExceptions();
-    bool good = true;
-    try
-    {
-        integralOf(f, SMALL);
-    }
-    catch (const Foam::error&)
-    {
-        good = false;
-    }
-    FatalError.throwExceptions(throws);
-    if (!good)
-    {
-        FatalIOErrorInFunction(dict)
-            << "Keyword 'velocity' is the function " << f.type()
-            << ", which OpenFOAM cannot integrate. Use 'displacement', or one "
-            << "that it can, as constant, table or polynomial"
-            << exit(FatalIOError);
-    }
-}
 
 } // End anonymous namespace
 
@@ -91,7 +48,13 @@ Foam::obstacleMotion::obstacleMotion
             dictionaryCheck::onlyKeywords(motion, keywords());
             translation_ = Function1<vector>::New(w, motion);
             velocity_ = w == "velocity";
-            if (velocity_) checkIntegral(motion, *translation_);
+            if (velocity_)
+            {
+                functionIntegral::check
+                (
+                    motion, w, *translation_, "'displacement', or one"
+                );
+            }
         }
         if (motion.found("solidBodyMotionFunction")) ++nGiven;
         if (nGiven != 1)
@@ -103,24 +66,11 @@ Foam::obstacleMotion::obstacleMotion
         }
         if (translation_.valid()) return;
 
-        clock_.reset
-        (
-            new Time
-            (
-                dictionary
-                (
-                    IStringStream
-                    (
-                        "startFrom startTime; startTime 0; endTime 1;"
-                        "deltaT 1; writeControl timeStep; writeInterval 1;"
-                    )()
-                ),
-                time_.rootPath(), time_.caseName(),
-                "system", "constant", false, false
-            )
-        );
-        function_ =
-            solidBodyMotionFunction::New(motion, *clock_);
+        function_.reset(new motionFunction(motion, time_));
+
+        // Before the first step, not in the middle of the run
+        function_->checkPose(start_);
+        function_->checkPose(time_.endTime().value());
     }
 }
 
@@ -157,12 +107,11 @@ Foam::septernion Foam::obstacleMotion::poseAt(const scalar time)
         return septernion
         (
             velocity_
-          ? vector(-integralOf(*translation_, time))
+          ? vector(-functionIntegral::to(*translation_, time))
           : vector(-translation_->value(time))
         );
     }
-    clock_->setTime(time, 0);
-    return function_->transformation();
+    return function_->poseAt(time);
 }
 
 
