@@ -692,6 +692,19 @@ def test_warning_of_the_start_velocity(tmp_path, figures):
                 [False, False, True, False])
 
 
+@pytest.mark.parametrize("U, warned", (
+    ((0, -0.05, 0), True), ((0, -0.2, 0), False), ((0, 0, 0), False),
+    ((0.1, 0, 0), False), ((0.1, -0.2, 0), False)))
+def test_warning_of_a_start_against_the_motion(tmp_path, U, warned):
+    """pointU may have what is free only, or all; x is free."""
+    case = SmallCase(tmp_path, Body(cells=(2, 2), velocity=U, material=rigid(
+        motion={"velocity": (0, -0.2, 0)}, freeTranslation="(x)")), 0.1,
+        control={**FIXED, "deltaT": 0.01}, preset=DEFAULT)
+    code, log = case.attempt()
+    assert code == 0, log
+    assert ("not one that" in log) == warned, log
+
+
 def moved(name, beside=None, **coeffs):
     return {"motion": {"solidBodyMotionFunction": name,
                        f"{name}Coeffs": coeffs, **(beside or {})}}
@@ -720,6 +733,8 @@ BAD = {
             "velocity": (0, 0, 0), "velcity": 1}}), "'velcity'"),
     "no table": (moved("tabulated6DoFMotion", CofG=(0, 0, 0),
                        timeDataFileName='"missing"'), "Cannot open"),
+    "nothing held": ({"motion": {"velocity": (0, 1, 0)},
+                      "freeTranslation": "(x y z)"}, "'freeTranslation'"),
     "both": ({"mass": 1}, "mass"),
     "axes": ({"freeRotation": "(x y)"}, "freeRotation"),
     "direction": ({"freeTranslation": "(up)"}, "freeTranslation"),

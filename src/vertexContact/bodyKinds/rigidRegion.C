@@ -197,18 +197,24 @@ void Foam::rigidRegion::fitRigid()
     rigidBody::motionState v;
     if (d > 1) v.spin = dual_.turning(inv(own) & momentum);
     v.velocity = meanV - (v.spin ^ (R & meanX));
-    const rigidBody::motionState may(rigid_->freePart(v));
-    scalar lost = 0;
-    forAll(ownedVolume_, a)
-    {
-        const vector r(R & (reference(a) - rigid_->start()));
-        lost +=
-            ownedVolume_[a]
-           *magSqr(speed(a) - may.velocity - (may.spin ^ r));
-    }
-    reduce(lost, sumOp<scalar>());
-    velocityLost_ = lost > largestLost*speedSqr && !rigid_->driven();
     rigid_->setMotion(v, time_.value());
+
+    // The fields may leave out what a motion prescribes, or have all
+    const auto lostBy = [&](const rigidBody::motionState& its)
+    {
+        scalar lost = 0;
+        forAll(ownedVolume_, a)
+        {
+            const vector r(R & (reference(a) - rigid_->start()));
+            lost +=
+                ownedVolume_[a]
+               *magSqr(speed(a) - its.velocity - (its.spin ^ r));
+        }
+        return returnReduce(lost, sumOp<scalar>());
+    };
+    velocityLost_ =
+        min(lostBy(rigid_->freePart(v)), lostBy(rigid_->motion(0)))
+      > largestLost*speedSqr;
 }
 
 

@@ -178,6 +178,17 @@ void Foam::rigidBody::readFreedoms
             << "Motions of translation only: (displacement velocity)"
             << exit(FatalIOError);
     }
+
+    // A motion of translation only turns nothing, held or not
+    const bool mayTurn = moved && nDim_ > 1 && !motion_->translates();
+    if (moved && !mayTurn && 2*tr(translation_) > 2*nDim_ - 1)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Keyword 'motion' moves what is not free, and nothing is held "
+            << "that it could move: 'freeTranslation' "
+            << dict.get<wordList>("freeTranslation") << " has all directions. "
+            << "Leave out those of the motion" << exit(FatalIOError);
+    }
 }
 
 
