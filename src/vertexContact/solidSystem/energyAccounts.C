@@ -37,6 +37,13 @@ constexpr accountEntry accountEntries[] =
 
 #undef accountOf
 
+//- Work of contact [J]. What it gives to fluxes of the paper's scheme, and they
+//  take at once, is no gain
+scalar netOf(const scalar contactWork, const scalar numericalDissipation)
+{
+    return contactWork - max(numericalDissipation, scalar(0));
+}
+
 } // End anonymous namespace
 
 
@@ -167,8 +174,10 @@ Foam::List<Foam::bodyEnergies> Foam::energyAccounts::compute
         obstacleMoves =
             obstacleMoves || (obstacle && obstacle->motion().moves());
     }
-    all.last().contactGain =
-        obstacleMoves ? 0 : all.last().contactWork - givenBefore_;
+    bodyEnergies& whole = all.last();
+    whole.contactGain =
+        obstacleMoves ? 0
+      : netOf(whole.contactWork, whole.numericalDissipation) - givenBefore_;
     reduce(all.last().frictionDissipation, sumOp<scalar>());
     return all;
 }
@@ -196,13 +205,15 @@ void Foam::energyAccounts::read(const dictionary& record)
         begin();
         return;
     }
-    givenBefore_ = 0;
+    scalar contactWork = 0, numericalDissipation = 0;
     forAll(bodies_, i)
     {
         const dictionary& body =
             record.subDict("region_" + bodies_[i].name());
         initial_[i] = body.get<scalar>("initialEnergy");
-        givenBefore_ += body.getOrDefault<scalar>("contactWork", 0);
+        contactWork += body.getOrDefault<scalar>("contactWork", 0);
+        numericalDissipation +=
+            body.getOrDefault<scalar>("numericalDissipation", 0);
         if (Pstream::master())
         {
             for (const accountEntry& a : accountEntries)
@@ -211,7 +222,7 @@ void Foam::energyAccounts::read(const dictionary& record)
             }
         }
     }
-    givenBefore_ = max(givenBefore_, scalar(0));
+    givenBefore_ = max(netOf(contactWork, numericalDissipation), scalar(0));
 }
 
 

@@ -98,7 +98,17 @@ void Foam::runWarnings::reportGain() const
     // Obstacles that move do work, which the first does not know; and the
     // second takes what contact stores and gives back for a rise
     const scalar rise = min(rise_[0], rise_[1]);
-    if (given_ > gains*largest_)
+    if (!warnedOfGain_ && rise > gains*largest_)
+    {
+        WarningInFunction
+            << "The energy has risen by " << 100*rise/largest_
+            << " % of its largest value, without work." << nl
+            << "    Likely cures: a finer mesh, a smaller maxCo; for standing "
+            << "loads no law 'tied'. "
+            << "'maxEnergyRise' in controlDict ends a run where it happens."
+            << endl;
+    }
+    else if (given_ > gains*largest_)
     {
         WarningInFunction
             << "Contact has given the bodies " << 100*given_/largest_
@@ -107,16 +117,6 @@ void Foam::runWarnings::reportGain() const
             << "start (checkContact); a mesh that is too coarse where edges "
             << "or corners meet." << nl
             << "    'maxEnergyRise' in controlDict ends a run where it happens."
-            << endl;
-    }
-    else if (!warnedOfGain_ && rise > gains*largest_)
-    {
-        WarningInFunction
-            << "The energy has risen by " << 100*rise/largest_
-            << " % of its largest value, without work." << nl
-            << "    Likely cures: a finer mesh, a smaller maxCo; for standing "
-            << "loads no law 'tied'. "
-            << "'maxEnergyRise' in controlDict ends a run where it happens."
             << endl;
     }
 }
