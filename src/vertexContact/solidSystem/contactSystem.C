@@ -180,7 +180,7 @@ void Foam::contactSystem::solve(const scalar time, const bool firstStage)
     }
     for (contactInterface& contact : interfaces_)
     {
-        contact.find();
+        contact.find(time);
     }
     limitPushes();
     for (contactInterface& contact : interfaces_)

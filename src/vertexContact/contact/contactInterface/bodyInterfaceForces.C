@@ -178,11 +178,7 @@ void Foam::bodyInterface::findNear()
                 p, at.stretch[l], true, bonded, shift, deltaT, gives
             );
             countClosing(p, b.depth[l]);
-            if (!bonded)
-            {
-                asked_.asked += contactLayer::push(p, deltaT);
-                asked_.inside += p.gap < -closingGap*b.depth[l];
-            }
+            if (!bonded) askPush(p, b.depth[l], deltaT);
             tellGap(b, l, p.gap);
             lose
             (
@@ -439,7 +435,7 @@ void Foam::bodyInterface::findForces
 }
 
 
-void Foam::bodyInterface::find()
+void Foam::bodyInterface::find(const scalar)
 {
     statistics_ = statistics();
     asked_ = push();
@@ -454,25 +450,15 @@ void Foam::bodyInterface::find()
 
 void Foam::bodyInterface::askPushes(DynamicList<push>& all) const
 {
-    if (law().bonded() || !minus_.body->variational()) return;
-
-    push p(asked_);
-    p.taken = account_.taken;
-    p.inside =
-        account_.startsInside
-      + (minus_.body->lastStep() > 0 ? 0 : asked_.inside);
-    all.append(p);
+    if (pairing_->active() && pushes(*minus_.body)) ask(all, *minus_.body);
 }
 
 
 void Foam::bodyInterface::limitPushes(const UList<push>& all, label& place)
 {
-    if (law().bonded() || !minus_.body->variational()) return;
+    if (!pairing_->active() || !pushes(*minus_.body)) return;
 
-    const push& p = all[place++];
-    account_.taken = Pstream::master() ? p.taken : 0;
-    account_.startsInside = Pstream::master() && p.inside > 0 ? 1 : 0;
-    const scalar share = p.share();
+    const scalar share = shareOf(all[place++]);
     if (share < 1)
     {
         withNodes([&](auto N) { limitNear<N.value>(share); });

@@ -116,6 +116,35 @@ Foam::slideMemory::sums Foam::contactInterface::slideBy
 }
 
 
+bool Foam::contactInterface::pushes(const solidBody& body) const
+{
+    return body.variational() && !law_->bonded();
+}
+
+
+void Foam::contactInterface::ask
+(
+    DynamicList<push>& all,
+    const solidBody& body
+) const
+{
+    push p(asked_);
+    p.taken = account_.taken;
+    p.inside =
+        account_.startsInside + (body.lastStep() > 0 ? 0 : asked_.inside);
+    all.append(p);
+}
+
+
+Foam::scalar Foam::contactInterface::shareOf(const push& all)
+{
+    // A run that goes on from here has the same
+    account_.taken = Pstream::master() ? all.taken : 0;
+    account_.startsInside = Pstream::master() && all.inside > 0 ? 1 : 0;
+    return all.share();
+}
+
+
 Foam::contactLaw::problem Foam::contactInterface::fromPlus
 (
     const contactLaw::problem& p

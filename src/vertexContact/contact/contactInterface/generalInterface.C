@@ -449,7 +449,7 @@ void Foam::generalInterface::forOpposite(const visitor& visit) const
 }
 
 
-void Foam::generalInterface::find()
+void Foam::generalInterface::find(const scalar)
 {
     if (!variational()) return;
     bodyInterface::startSlides(sticking_, slideExchange_);

@@ -204,7 +204,7 @@ Foam::scalar Foam::obstacleInterface::complianceAlong
 }
 
 
-void Foam::obstacleInterface::solveForces(const bool firstStage)
+void Foam::obstacleInterface::findForces()
 {
     solidBody& body = *side_.body;
     const cornerStates& M = body.corners(side_.patchi);
@@ -248,9 +248,15 @@ void Foam::obstacleInterface::solveForces(const bool firstStage)
             deltaT, body.contact().gives()
         );
         countClosing(p, depth[k]);
+        if (!law().bonded()) askPush(p, depth[k], deltaT);
         lose(closed_[i], side_, k, p.gap, depth[k], depth[k]);
     }
+}
 
+
+void Foam::obstacleInterface::solveForces(const bool firstStage)
+{
+    const scalarField& depth = side_.body->surface(side_.patchi).depth;
     solveProblems();
     forAll(planes_, i)
     {
@@ -510,24 +516,48 @@ void Foam::obstacleInterface::remember()
 }
 
 
-void Foam::obstacleInterface::solve(const scalar time, const bool firstStage)
+void Foam::obstacleInterface::find(const scalar time)
 {
     statistics_ = statistics();
-    if (planes_.empty())
-    {
-        return;
-    }
+    asked_ = push();
+    if (planes_.empty()) return;
 
-    cornerStates& M = side_.body->corners(side_.patchi);
-    const scalarField& depth = side_.body->surface(side_.patchi).depth;
     motion_.setTime(time);
     followEdges();
+    if (side_.body->variational()) findForces();
+}
+
+
+void Foam::obstacleInterface::askPushes(DynamicList<push>& all) const
+{
+    if (pushes(*side_.body)) ask(all, *side_.body);
+}
+
+
+void Foam::obstacleInterface::limitPushes(const UList<push>& all, label& place)
+{
+    if (!pushes(*side_.body)) return;
+
+    const scalar share = shareOf(all[place++]);
+    if (share == 1) return;
+    forAll(planes_, i)
+    {
+        if (problems_[i].gap < 0) contactLayer::limit(problems_[i], share);
+    }
+}
+
+
+void Foam::obstacleInterface::solve(const scalar time, const bool firstStage)
+{
+    if (planes_.empty()) return;
 
     if (side_.body->variational())
     {
         solveForces(firstStage);
         return;
     }
+    cornerStates& M = side_.body->corners(side_.patchi);
+    const scalarField& depth = side_.body->surface(side_.patchi).depth;
 
     forAll(planes_, i)
     {
@@ -569,9 +599,8 @@ void Foam::obstacleInterface::solve(const scalar time, const bool firstStage)
 
 void Foam::obstacleInterface::slide(const scalar middle, const scalar deltaT)
 {
-    if (!law().sticks()) return;
-
     solidBody& body = *side_.body;
+    const bool sticks = law().sticks();
     const labelList& cornerNode =
         body.corners(side_.patchi).geometry.cornerNode;
     forAll(planes_, i)
@@ -580,6 +609,11 @@ void Foam::obstacleInterface::slide(const scalar middle, const scalar deltaT)
         if (p.result.state == acousticRiemann::status::open) continue;
 
         const label node = cornerNode[planes_[i].corner];
+        account_.taken +=
+            middle*p.area
+           *(p.result.t & (p.plus.v - body.meanStepVelocity(node)));
+        if (!sticks) continue;
+
         body.contact().slide.add
         (
             node,
