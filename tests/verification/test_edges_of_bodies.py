@@ -227,7 +227,8 @@ def thrown(seed, nDim, kind=Body):
     blocks = []
     for i in range(int(g.integers(2, 4))):
         cells = tuple(int(n) for n in g.integers(1, 5, nDim))
-        R = turned(g.uniform(0, 6), (0, 0, 1) if nDim == 2 else g.normal(size=3))
+        angle = g.uniform(0, 6)
+        R = turned(angle, (0, 0, 1) if nDim == 2 else g.normal(size=3))
         spin = np.zeros(3)
         if nDim == 2:
             spin[2] = g.uniform(-0.4, 0.4)

@@ -175,4 +175,41 @@ Foam::boolList Foam::patchRim::nodes
 }
 
 
+Foam::boolList Foam::patchRim::ends
+(
+    const polyMesh& mesh,
+    const dualPatch& patch,
+    const label nDim,
+    const boolList& rim,
+    const labelUList& mirrors
+)
+{
+    boolList ends(rim);
+    for (const label patchi : mirrors)
+    {
+        // An edge with both of its points in a plane is in that plane
+        labelList in(mesh.nPoints(), label(0));
+        for (const label p : mesh.boundaryMesh()[patchi].meshPoints())
+        {
+            in[p] = 1;
+        }
+        syncTools::syncPointList(mesh, in, maxEqOp<label>(), label(0));
+        patch.forFaces([&](const dualPatch::face& f)
+        {
+            for (label j = 0; j < f.size; ++j)
+            {
+                const label k = f.start + j;
+                const edge e(edgeFrom(patch, f, nDim == 3 ? j : 0));
+                const bool at =
+                    nDim == 3
+                  ? in[e.start()] && in[e.end()]
+                  : in[patch.cornerPoint[k]];
+                if (at) ends[k] = false;
+            }
+        });
+    }
+    return ends;
+}
+
+
 // ************************************************************************* //

@@ -74,6 +74,8 @@ void Foam::solidBody::makeCorners()
         {
             its.rim = patchRim::corners(mesh_, patch, d);
             its.rimNode = patchRim::nodes(mesh_, patch, d, its.rim);
+            its.ends =
+                patchRim::ends(mesh_, patch, d, its.rim, mirrorPatches_);
         }
 
         scalarField& depth = its.depth;

@@ -261,7 +261,7 @@ TEST_CASE("Faces that got inside each other past their rims", "[contact]")
                 {{x, 0, z}, {x + 1, 0, z}, {x + 1, 1, z}, {x, 1, z}}, 0, n
             )
         );
-        f.rim = FixedList<bool, 4>(true);
+        f.ends = FixedList<bool, 4>(true);
         return f;
     };
     contactFace minus(squareAt(0, high, up));
@@ -273,7 +273,7 @@ TEST_CASE("Faces that got inside each other past their rims", "[contact]")
     REQUIRE(beside(minus, plus) == (high > 0 && strip < 0.3));
 
     // Which goes on beyond the strip
-    minus.rim[1] = false;
+    minus.ends[1] = false;
     REQUIRE_FALSE(beside(minus, plus));
 
     // In 2D, of lines
@@ -284,7 +284,7 @@ TEST_CASE("Faces that got inside each other past their rims", "[contact]")
         f.n = f.N = n;
         f.x[0] = f.X[0] = point(x, y, 0);
         f.x[1] = f.X[1] = point(x + 1, y, 0);
-        f.rim[0] = f.rim[1] = true;
+        f.ends[0] = f.ends[1] = true;
         return f;
     };
     const vector upwards(0, 1, 0);

@@ -187,6 +187,9 @@ void Foam::bodyInterface::findNear()
             );
         }
     }
+
+    // Nobody places sides of one body inside each other
+    if (minus_.body == plus_.body) asked_.inside = 0;
 }
 
 

@@ -303,7 +303,7 @@ struct projection
             {
                 continue;
             }
-            if (!face.rim[i]) return false;
+            if (!face.ends[i]) return false;
             ends = true;
         }
         return ends;
@@ -570,12 +570,12 @@ bool Foam::contactOverlaps::beside
 )
 {
     if (nDim == 1) return false;
-    const auto hasRim = [](const contactFace& f)
+    const auto ends = [](const contactFace& f)
     {
-        for (label i = 0; i < f.size; ++i) if (f.rim[i]) return true;
+        for (const bool is : f.ends) if (is) return true;
         return false;
     };
-    if (!hasRim(minus) || !hasRim(plus)) return false;
+    if (!ends(minus) || !ends(plus)) return false;
 
     vector u, w;
     alongPlane(n, outOfPlane, nDim, u, w);
@@ -613,7 +613,7 @@ bool Foam::contactOverlaps::beside
     {
         for (label i = 0; i < over.size; ++i)
         {
-            if (!over.face.rim[i]) continue;
+            if (!over.face.ends[i]) continue;
             scalar furthest = 0;
             label which = -1;
             for (label k = 0; k < common.size; ++k)

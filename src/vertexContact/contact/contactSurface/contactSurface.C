@@ -133,6 +133,7 @@ contactFace makeFace
     const positions at(side, current);
     const scalarField& depth = body.surface(side.patchi).depth;
     const boolList& rim = body.surface(side.patchi).rim;
+    const boolList& ends = body.surface(side.patchi).ends;
 
     contactFace f;
     const dualPatch::face its(patch.faceOf(facei));
@@ -151,6 +152,7 @@ contactFace makeFace
         f.area[j] = patch.cornerArea[k];
         f.depth[j] = depth[k];
         f.rim[j] = rim.size() && rim[k];
+        f.ends[j] = ends.size() && ends[k];
         mean += body.expand(patch.cornerNormal.cdata() + k*at.d);
     }
     f.spread = spread(s, f.size, f.area);

@@ -173,7 +173,9 @@ bool Foam::contactPairings::nearestFace::opposed
     scalar top = -GREAT, bottom = GREAT;
     for (label i = 0; i < a.size; ++i) top = max(top, a.x[i] & n);
     for (label i = 0; i < b.size; ++i) bottom = min(bottom, b.x[i] & n);
-    if (bottom - top > width || ((cb - ca) & n) < -depth)
+    // Sides of a body as far apart as they are deep are not inside each other
+    const scalar deepest = oneBody_ ? -(1 - sameNode)*depth : -depth;
+    if (bottom - top > width || ((cb - ca) & n) < deepest)
     {
         return false;
     }
