@@ -317,3 +317,46 @@ def test_edge_across_edge(tmp_path, figures, cells, step):
         f.atMost("momentum along the axis / initial", p[-1, 1]/p[0, 1], 0)
         f.atMost("largest penetration / cell",
                  case.contact("all")["penetration"].max()*cells/0.5, 0.3)
+
+
+@pytest.mark.parametrize("angle", (0, 0.3, 0.7, 1.9))
+def test_body_alone_stays_at_rest(tmp_path, figures, angle):
+    """Cells of this block are as deep as it is thick, so that its faces back
+    to back were inside each other by round-off: turned by two of these angles
+    it burst, at rest, with nothing near it."""
+    R = turned(angle, (1, 2, 3))
+    block = Body((3, 2, 1), name="a", size=(1.066, 0.12, 0.472),
+                 sides=sidesOf(3), moved=lambda X: X @ R.T)
+    other = Body((1, 1, 1), name="z", start=(50, 0, 0), sides=sidesOf(3),
+                 material={"type": "rigid", "rho": 1})
+    case = finished(SmallCase(
+        tmp_path, (block, other), 2, {"all": {"surfaces": "all", "self": "no"}},
+        control={"maxCo": 0.9, "writeInterval": 2}, preset=DEFAULT))
+    with figures(f"a block alone, turned by {angle}") as f:
+        f.atMost("work of contact [J]",
+                 np.abs(case.energies["total:contactWork"]).max(), 1e-20)
+        f.atMost("kinetic energy [J]",
+                 case.energies["total:kinetic"].max(), 1e-20)
+
+
+@pytest.mark.parametrize("nDim, width", ((2, 0.014), (3, 0.003)))
+def test_slice_between_mirrors(tmp_path, figures, nDim, width):
+    """Two bars that start inside each other by more than they are wide,
+    between mirrors: these are no way out."""
+    sides = ("back", "front") if nDim == 3 else ("bottom", "top")
+    mirrors = {side: "symmetryPlane" for side in sides}
+    held = {"type": "fixedVelocity", "velocity": (0, 0, 0)}
+    cells, size = (((4, 4, 1), (1, 1, width)) if nDim == 3
+                   else ((4, 1), (1, width, 1)))
+    bars = (Body(cells, name="a", start=(-0.98, 0, 0), size=size,
+                 sides={"left": held, "right": "contact", **mirrors}),
+            Body(cells, name="b", size=size,
+                 sides={"right": held, "left": "contact", **mirrors}))
+    case = finished(SmallCase(
+        tmp_path, bars, 12,
+        {"a": interface(("a", "right"), ("b", "left"),
+                        pairing="nearestFace")},
+        control={"maxCo": 0.9, "writeInterval": 12}, preset=DEFAULT))
+    with figures(f"a slice of {width}, {nDim}D") as f:
+        f.atLeast("strain energy at the end / width [J/m]",
+                  case.energies["total:strain"][-1]/width, 5e-5)

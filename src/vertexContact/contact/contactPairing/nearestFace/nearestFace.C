@@ -173,9 +173,7 @@ bool Foam::contactPairings::nearestFace::opposed
     scalar top = -GREAT, bottom = GREAT;
     for (label i = 0; i < a.size; ++i) top = max(top, a.x[i] & n);
     for (label i = 0; i < b.size; ++i) bottom = min(bottom, b.x[i] & n);
-    // Sides of a body as far apart as they are deep are not inside each other
-    const scalar deepest = oneBody_ ? -(1 - sameNode)*depth : -depth;
-    if (bottom - top > width || ((cb - ca) & n) < deepest)
+    if (bottom - top > width || ((cb - ca) & n) < -depth)
     {
         return false;
     }
@@ -186,7 +184,7 @@ bool Foam::contactPairings::nearestFace::opposed
         if (minus_ == plus_ && !before(a, b)) return false;
 
         point Ca(Zero), Cb(Zero);
-        scalar closest = GREAT, radius = 0;
+        scalar closest = GREAT, radius = 0, otherRadius = 0;
         for (label i = 0; i < a.size; ++i) Ca += a.X[i]/a.size;
         for (label i = 0; i < b.size; ++i) Cb += b.X[i]/b.size;
         for (label i = 0; i < a.size; ++i)
@@ -197,11 +195,28 @@ bool Foam::contactPairings::nearestFace::opposed
                 closest = min(closest, mag(a.X[i] - b.X[j]));
             }
         }
+        for (label j = 0; j < b.size; ++j)
+        {
+            otherRadius = max(otherRadius, mag(b.X[j] - Cb));
+        }
         if (closest < sameNode*width)
         {
             return false;
         }
-        const bool faced = (a.N & b.N) < leastOpposed && ((Cb - Ca) & a.N) > 0;
+        const vector between(Cb - Ca);
+        const scalar along = between & a.N;
+        const bool opposite = (a.N & b.N) < leastOpposed;
+        const bool faced = opposite && along > 0;
+
+        // Both sides of the same part of the body, whatever is between them
+        if
+        (
+            opposite && along < 0
+         && mag(between - along*a.N) < radius + otherRadius
+        )
+        {
+            return false;
+        }
         if (closest < neighbours*width && !faced)
         {
             return false;
