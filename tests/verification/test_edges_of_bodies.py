@@ -7,7 +7,7 @@ import pytest
 from vertexContactTests.caseTools import DEFAULT
 from vertexContactTests.smallCases import (ELASTIC, FLOOR, SIDES, Body,
                                            SmallCase, condition, interface,
-                                           largest)
+                                           largest, turned)
 
 
 def onto(direction):
@@ -210,13 +210,6 @@ class OnePatch(Body):
             {"outer": f"({outer})", **faces})}
 
 
-def turned(angle, axis):
-    axis = np.array(axis)/np.linalg.norm(axis)
-    K = np.array(((0, -axis[2], axis[1]), (axis[2], 0, -axis[0]),
-                  (-axis[1], axis[0], 0)))
-    return np.eye(3) + np.sin(angle)*K + (1 - np.cos(angle))*K @ K
-
-
 def thrown(seed, nDim, kind=Body):
     """Two or three blocks of one to four cells a side, rigid, soft or stiff,
     turned anyhow, fly at each other and spin."""
@@ -228,7 +221,7 @@ def thrown(seed, nDim, kind=Body):
     for i in range(int(g.integers(2, 4))):
         cells = tuple(int(n) for n in g.integers(1, 5, nDim))
         angle = g.uniform(0, 6)
-        R = turned(angle, (0, 0, 1) if nDim == 2 else g.normal(size=3))
+        axis = (0, 0, 1) if nDim == 2 else g.normal(size=3)
         spin = np.zeros(3)
         if nDim == 2:
             spin[2] = g.uniform(-0.4, 0.4)
@@ -247,7 +240,7 @@ def thrown(seed, nDim, kind=Body):
             cells, name="abc"[i], size=tuple(size),
             start=(*-size[:2]/2, -size[2]/2 if nDim == 3 else 0),
             sides=sidesOf(nDim), material=materials[int(g.integers(3))],
-            moved=lambda X, R=R, c=centre: X @ R.T + c,
+            moved=lambda X, n=axis, a=angle, c=centre: turned(X, n, a) + c,
             velocity=lambda X, v=speed, w=spin, c=centre:
                 v + np.cross(w, X - c)))
     return blocks
@@ -292,13 +285,13 @@ def test_edge_across_edge(tmp_path, figures, cells, step):
     def bar(name, along, at, speed):
         size = np.full(3, 0.5)
         size[along] = 2
-        R = turned(np.pi/4, np.eye(3)[along])
         n = np.full(3, cells)
         n[along] = 4*cells
         return Body(
             tuple(int(i) for i in n), name=name, start=tuple(-size/2),
             size=tuple(size), sides=sidesOf(3),
-            moved=lambda X: X @ R.T + np.array(at), velocity=(0, speed, 0),
+            moved=lambda X: turned(X, np.eye(3)[along], np.pi/4) + at,
+            velocity=(0, speed, 0),
             material={"type": "rigid", "rho": 1})
 
     high = 0.5*np.sqrt(2) + 0.02
@@ -324,9 +317,9 @@ def test_body_alone_stays_at_rest(tmp_path, figures, angle):
     """Cells of this block are as deep as it is thick, so that its faces back
     to back were inside each other by round-off: turned by two of these angles
     it burst, at rest, with nothing near it."""
-    R = turned(angle, (1, 2, 3))
     block = Body((3, 2, 1), name="a", size=(1.066, 0.12, 0.472),
-                 sides=sidesOf(3), moved=lambda X: X @ R.T)
+                 sides=sidesOf(3),
+                 moved=lambda X: turned(X, (1, 2, 3), angle))
     other = Body((1, 1, 1), name="z", start=(50, 0, 0), sides=sidesOf(3),
                  material={"type": "rigid", "rho": 1})
     case = finished(SmallCase(

@@ -9,7 +9,7 @@ from vertexContactTests.caseTools import DEFAULT, execute, timeFolders
 from vertexContactTests.contactScenes import rigid, spinning, toolAndBlock
 from vertexContactTests.smallCases import (EACH_STEP, FLOOR, RUBBER, Body,
                                            SmallCase, condition, coulomb,
-                                           interface, largest, table)
+                                           interface, largest, table, turned)
 
 # The run of one rigid region has no step of its own
 FIXED = {"adjustTimeStep": "no"}
@@ -348,11 +348,6 @@ def turning(axis, angle, origin):
     return {"solidBodyMotionFunction": "rotatingMotion",
             "rotatingMotionCoeffs": {
                 "origin": origin, "axis": axis, "omega": angle}}
-
-
-def turned(r, axis, angle):
-    c, s = np.cos(angle), np.sin(angle)
-    return c*r + s*np.cross(axis, r) + (1 - c)*np.outer(r @ axis, axis)
 
 
 def test_turning_region(tmp_path, figures):

@@ -93,6 +93,13 @@ def polar(X):
     return np.stack((r*np.cos(angle), r*np.sin(angle), X[:, 2]), axis=1)
 
 
+def turned(r, axis, angle):
+    """Points about the origin."""
+    axis = np.array(axis)/np.linalg.norm(axis)
+    c, s = np.cos(angle), np.sin(angle)
+    return c*r + s*np.cross(axis, r) + (1 - c)*np.outer(r @ axis, axis)
+
+
 @dataclass
 class Body:
     """A block and what is on it. The number of cell counts is its dimension;

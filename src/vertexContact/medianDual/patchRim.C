@@ -194,17 +194,17 @@ Foam::boolList Foam::patchRim::ends
             in[p] = 1;
         }
         syncTools::syncPointList(mesh, in, maxEqOp<label>(), label(0));
+        const auto isIn = [&](const dualPatch::face& f, const label j)
+        {
+            if (nDim < 3) return in[patch.cornerPoint[f.start + j]] > 0;
+            const edge e(edgeFrom(patch, f, j));
+            return in[e.start()] > 0 && in[e.end()] > 0;
+        };
         patch.forFaces([&](const dualPatch::face& f)
         {
             for (label j = 0; j < f.size; ++j)
             {
-                const label k = f.start + j;
-                const edge e(edgeFrom(patch, f, nDim == 3 ? j : 0));
-                const bool at =
-                    nDim == 3
-                  ? in[e.start()] && in[e.end()]
-                  : in[patch.cornerPoint[k]];
-                if (at) ends[k] = false;
+                if (isIn(f, j)) ends[f.start + j] = false;
             }
         });
     }

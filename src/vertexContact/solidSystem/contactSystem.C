@@ -72,20 +72,20 @@ void Foam::contactSystem::setOpposite()
 
 void Foam::contactSystem::limitPushes()
 {
-    DynamicList<contactInterface::push> pushes;
+    pushes_.clear();
     for (const contactInterface& contact : interfaces_)
     {
-        contact.askPushes(pushes);
+        contact.askPushes(pushes_);
     }
     if (Pstream::parRun())
     {
-        combineRows(pushes, plusEqOp<scalar>());
-        scatterRows(pushes);
+        combineRows(pushes_, plusEqOp<scalar>());
+        scatterRows(pushes_);
     }
     label place = 0;
     for (contactInterface& contact : interfaces_)
     {
-        contact.limitPushes(pushes, place);
+        contact.limitPushes(pushes_, place);
     }
 }
 

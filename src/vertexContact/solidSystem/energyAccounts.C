@@ -5,7 +5,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "energyAccounts.H"
-#include "obstacleInterface.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -170,9 +169,7 @@ Foam::List<Foam::bodyEnergies> Foam::energyAccounts::compute
     for (const contactInterface& contact : interfaces)
     {
         all.last().frictionDissipation += contact.sums().friction;
-        const auto* obstacle = dynamic_cast<const obstacleInterface*>(&contact);
-        obstacleMoves =
-            obstacleMoves || (obstacle && obstacle->motion().moves());
+        obstacleMoves = obstacleMoves || contact.driven();
     }
     bodyEnergies& whole = all.last();
     whole.contactGain =

@@ -213,7 +213,7 @@ TEST_CASE("What is pressed does not depend on how it is divided", "[contact]")
         {
             centroid += o.minus.value[k]*square.x[o.minus.corner[k]];
         }
-        typedef overlapShape<4>::vectorType vectorType;
+        typedef overlapFunction::vectorType vectorType;
         const auto all = [](const vector& a)
         {
             return vectorType
@@ -222,14 +222,17 @@ TEST_CASE("What is pressed does not depend on how it is divided", "[contact]")
                 uniform<lanes>(a.z())
             };
         };
-        std::vector<vector2D> edges(o.edges.begin(), o.edges.end());
-        overlapShape<4> shape;
-        for (int l = 0; l < nLanes; ++l) shape.set(l, o, edges, 0);
+        overlapPolygon shape;
+        for (int l = 0; l < nLanes; ++l) shape.set(l, o, o.edges.cdata());
         vectorType way;
         const lanes share = shape.negative
         (
-            uniform<lanes>((grows & centroid) - zero), all(grows),
-            all(vector::zero), uniform<lanes>(1), uniform<lanes>(1), way
+            overlapFunction
+            {
+                uniform<lanes>((grows & centroid) - zero), all(grows),
+                all(vector::zero), uniform<lanes>(1), uniform<lanes>(1)
+            },
+            way
         );
         // All of it, whatever the sign, where it does not change
         const bool any =

@@ -440,8 +440,7 @@ void Foam::bodyInterface::findForces
 
 void Foam::bodyInterface::find(const scalar)
 {
-    statistics_ = statistics();
-    asked_ = push();
+    forget();
     if (!pairing_->active() || !minus_.body->variational()) return;
 
     bodyInterface* pair = this;

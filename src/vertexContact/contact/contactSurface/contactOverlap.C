@@ -123,15 +123,8 @@ struct movingArea
     vector2D sweep = vector2D::zero;
     vector2D bend = vector2D::zero;
 
-    //- In 2D the second moment; in 3D its edges, from the origin
-    scalar second = 0;
+    //- In 3D its edges, from the origin
     DynamicList<vector2D> edges;
-
-    //- contactOverlap::extent
-    symmTensor extent(const vector& u) const
-    {
-        return 3*second/area*sqr(u);
-    }
 
     //- contactOverlap::edges
     List<vector2D> outline() const
@@ -293,16 +286,12 @@ struct projection
         bool ends = false;
         for (label i = 0; i < size; ++i)
         {
-            const scalar onEdge =
-                Foam::sqrt(SMALL)*mag(x[(i + 1) % size] - x[i]);
-            if
-            (
-                mag(within(i, at)) > onEdge
-             || (inward(i) & direction) > -Foam::sqrt(SMALL)
-            )
-            {
-                continue;
-            }
+            const scalar length = mag(x[(i + 1) % size] - x[i]);
+            const bool on =
+                mag(within(i, at)) < contactOverlaps::alongEdge*length;
+            const bool across =
+                (inward(i) & direction) < -contactOverlaps::alongEdge;
+            if (!on || !across) continue;
             if (!face.ends[i]) return false;
             ends = true;
         }
@@ -698,11 +687,7 @@ void Foam::contactOverlaps::append
         for (label k = first; joined && k < overlaps.size(); ++k)
         {
             overlaps[k].motion = moving[k - first].motion(u, w);
-            if (nDim == 2)
-            {
-                overlaps[k].extent = moving[k - first].extent(u);
-                continue;
-            }
+            if (nDim < 3) continue;
             overlaps[k].edges = moving[k - first].outline();
             overlaps[k].u = u;
             overlaps[k].w = w;
@@ -785,7 +770,7 @@ void Foam::contactOverlaps::append
                 const scalar half = 0.5*(to - from);
                 movingArea& m = moving[k];
                 m.area = to - from;
-                m.second = m.area*sqr(half)/3;
+                overlaps[first + k].half = half*u;
                 m.addEdge(vector2D(half, 0), vector2D(1, 0), follows(true));
                 m.addEdge(vector2D(-half, 0), vector2D(-1, 0), follows(false));
             }
