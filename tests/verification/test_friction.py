@@ -104,13 +104,14 @@ def test_rest_on_a_slope(tmp_path, figures):
                    **rubber)]
     case = SmallCase(
         tmp_path, bodies, endTime=T, preset=DEFAULT,
-        control={"writeInterval": T/4}, interfaces={"contact": interface(
+        control={"writeInterval": T/5}, interfaces={"contact": interface(
             ("block", "bottom"), ("base", "top"), coulomb(0.5),
             pairing="nearestFace")}).run()
     D = [case.at("pointD", time, "block") for time in case.times]
     kinetic = case.energies["total:kinetic"]
     with figures("3D block on a body, at a fifth of the angle of friction") as f:
-        f.atMost("drift in the last quarter / cell",
+        # Each pairing finds areas and normals of the last state
+        f.atMost("drift in the last fifth / cell",
                  2*largest(D[-1] - D[-2]), 1e-9)
         f.atMost("kinetic energy at the end / largest",
                  kinetic[-1]/kinetic.max(), 1e-18)

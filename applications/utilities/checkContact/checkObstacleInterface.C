@@ -59,7 +59,7 @@ void Foam::checkInterface
 
         // The normals oppose each other
         const scalar opposed = -(corners.n[k] & normal);
-        const bool faces = opposed > obstacleInterface::leastFacing;
+        const bool faces = opposed > contactOverlaps::leastFacing;
 
         leastGap = min(leastGap, gap);
         greatestGap = max(greatestGap, gap);
@@ -70,7 +70,7 @@ void Foam::checkInterface
         {
             ++nNear;
             nFacing += faces;
-            nTurned += (opposed < -obstacleInterface::leastFacing);
+            nTurned += (opposed < -contactOverlaps::leastFacing);
             if (faces && gap < 0)
             {
                 penetration = max(penetration, -gap/contact.width()[k]);

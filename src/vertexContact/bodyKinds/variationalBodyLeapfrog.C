@@ -50,15 +50,13 @@ void Foam::variationalBody::findCompliances()
         const dualPatch& patch, const label k, scalar* A, const scalar* n
     )
     {
-        scalar along = 0;
-        for (label i = 0; i < d; ++i) along += A[i]*n[i];
         bodySurface& its = surfaces_[patch.patchIndex];
         scalarField& perVolume = its.compliance;
         perVolume.setSize(patch.nCorners());
         its.nodeArea.setSize(patch.nCorners()*d);
         for (label i = 0; i < d; ++i) its.nodeArea[k*d + i] = A[i];
         perVolume[k] =
-            max(along, patch.cornerArea[k])
+            surfaceArea(patch.patchIndex, k)
            /dual_.nodeVolume()[patch.cornerNode[k]];
     });
 }

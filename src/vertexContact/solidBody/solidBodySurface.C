@@ -225,6 +225,41 @@ void Foam::solidBody::findCorners(const label patchi)
 }
 
 
+Foam::vector Foam::solidBody::surfaceAround
+(
+    const label patchi,
+    const label k
+) const
+{
+    const scalarField& nodeArea = surfaces_[patchi].nodeArea;
+    if (nodeArea.empty()) return vector::zero;
+
+    return
+        currentArea
+        (
+            dual_.patches()[patchi].cornerNode[k],
+            nodeArea.cdata() + k*dual_.nDim()
+        )
+       /surfaceArea(patchi, k);
+}
+
+
+Foam::scalar Foam::solidBody::surfaceArea
+(
+    const label patchi,
+    const label k
+) const
+{
+    // Along the corner's own normal
+    const label d = dual_.nDim();
+    const dualPatch& patch = dual_.patches()[patchi];
+    const scalar* all = surfaces_[patchi].nodeArea.cdata() + k*d;
+    scalar along = 0;
+    for (label i = 0; i < d; ++i) along += all[i]*patch.cornerNormal[k*d + i];
+    return max(along, patch.cornerArea[k]);
+}
+
+
 const Foam::boundBox& Foam::solidBody::surfaceVelocities
 (
     const label patchi,

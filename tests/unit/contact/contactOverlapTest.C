@@ -114,7 +114,10 @@ DynamicList<contactOverlap> overlapsOf
 )
 {
     DynamicList<contactOverlap> overlaps;
-    contactOverlaps::append(a, b, up, vector::zero, 3, joined, overlaps);
+    contactOverlaps::append
+    (
+        a, b, up, overlapNormal(), vector::zero, 3, joined, overlaps
+    );
     return overlaps;
 }
 
@@ -491,3 +494,175 @@ TEST_CASE("Overlaps without a rim move by half, as those whose rims coincide")
 
 
 // ************************************************************************* //
+
+
+// * * * * * * * * * * * * * * * Common normals * * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Unit square between its corner and those along u and w, all of whose edges
+//  or the one from the corner along u end the body
+contactFace square
+(
+    const point& from,
+    const vector& u,
+    const vector& w,
+    const bool all = false
+)
+{
+    const std::vector<point> x{from, from + u, from + u + w, from + w};
+    contactFace f(faceOf(x, 0, (u ^ w)/mag(u ^ w)));
+    for (label i = 0; i < 4; ++i) f.ends[i] = all || i == 0;
+    return f;
+}
+
+vector normalOf
+(
+    const contactFace& minus,
+    const contactFace& plus,
+    overlapNormal& which
+)
+{
+    vector n;
+    REQUIRE(contactOverlaps::commonNormal(minus.n, plus.n, n));
+    which = contactOverlaps::normalOf(minus, plus, vector::zero, 3, n);
+    CHECK(mag(n) == Approx(1));
+
+    // The other side sees the same
+    vector opposite;
+    contactOverlaps::commonNormal(plus.n, minus.n, opposite);
+    const overlapNormal its
+    (
+        contactOverlaps::normalOf(plus, minus, vector::zero, 3, opposite)
+    );
+    CHECK(mag(n + opposite) < 1e-12);
+    CHECK(its.minus == which.plus);
+    CHECK(its.crossing == Approx(which.crossing).margin(1e-12));
+    CHECK(its.minusEdge == which.plusEdge);
+    return n;
+}
+
+} // End anonymous namespace
+
+
+TEST_CASE("An edge that lies on a face has the normal of the face")
+{
+    // A roof, whose ridge is rolled: the face below sees it from there only
+    const scalar slope = GENERATE(0.2, 1.0, 2.5);
+    const contactFace above
+    (
+        square(point(0.3, 0.4, 0), vector(0, 1, 0), vector(1, 0, slope))
+    );
+    contactFace below
+    (
+        square(point(0, 0, 0), vector(1, 0, 0), vector(0, 1, 0))
+    );
+    below.ends = false;
+    overlapNormal which;
+    CHECK(mag(normalOf(below, above, which) - up) < 1e-12);
+    CHECK(which.minus);
+    CHECK_FALSE(which.plus);
+    CHECK(which.crossing == 0);
+
+    // Of two that do not end there, the mean
+    contactFace inside(above);
+    inside.ends = false;
+    CHECK
+    (
+        mag
+        (
+            normalOf(below, inside, which)
+          - (below.n - inside.n)/mag(below.n - inside.n)
+        ) < 1e-12
+    );
+    CHECK((which.minus && which.plus));
+}
+
+
+TEST_CASE("Where edges cross the normal is across both of them")
+{
+    // Ridges along x and along y, of any slopes, this far from each other
+    const scalar slope = GENERATE(0.3, 1.0, 3.0);
+    const scalar other = GENERATE(0.3, 2.0);
+    const scalar apart = GENERATE(0.0, 0.05, -0.1, 0.49, 0.51);
+    const contactFace below
+    (
+        square(point(0, 0, 0), vector(1, 0, 0), vector(0, 1, -slope))
+    );
+    const contactFace above
+    (
+        square(point(0.4, -0.3, apart), vector(0, 1, 0), vector(1, 0, other))
+    );
+    REQUIRE((below.n & above.n) < 0);
+    overlapNormal which;
+    const vector n(normalOf(below, above, which));
+    const scalar w = max(scalar(0), 1 - sqr(2*apart));
+    CHECK(which.crossing == Approx(w).margin(1e-12));
+    const vector mean((below.n - above.n)/mag(below.n - above.n));
+    const vector expected((1 - w)*mean + w*up);
+    CHECK(mag(n - expected/mag(expected)) < 1e-12);
+    if (w > 0)
+    {
+        CHECK(which.minusEdge == 0);
+        CHECK(which.plusEdge == 0);
+    }
+}
+
+
+TEST_CASE("Edges along each other have no normal, and those that end no next")
+{
+    overlapNormal which;
+    SECTION("along each other")
+    {
+        const contactFace below
+        (
+            square(point(0, 0, 0), vector(1, 0, 0), vector(0, 1, -1))
+        );
+        const contactFace above
+        (
+            square(point(0.2, 0.1, 0), vector(1, 0, 0), vector(0, -1, 2))
+        );
+        const vector mean((below.n - above.n)/mag(below.n - above.n));
+        CHECK(mag(normalOf(below, above, which) - mean) < 1e-12);
+        CHECK(which.crossing == 0);
+    }
+    SECTION("crosses in the next face")
+    {
+        // The ridge along y begins a little after that along x
+        const bool vertex = GENERATE(false, true);
+        const contactFace below
+        (
+            square(point(0, 0, 0), vector(1, 0, 0), vector(0, 1, -1))
+        );
+        contactFace above
+        (
+            square(point(0.4, 0.1, 0), vector(0, 1, 0), vector(1, 0, 1))
+        );
+        above.ends[3] = vertex;
+        normalOf(below, above, which);
+        CHECK(which.crossing == Approx(vertex ? 0 : 1 - 0.04));
+    }
+}
+
+
+TEST_CASE("The area of an overlap is what its normal sees of it")
+{
+    const scalar slope = GENERATE(0.0, 0.5, 1.5);
+    const contactFace below
+    (
+        square(point(0, 0, 0), vector(1, 0, 0), vector(0, 1, 0))
+    );
+    const contactFace above
+    (
+        square(point(0, 0, 0), vector(0, 1, 0), vector(1, 0, slope))
+    );
+    scalar minus = 0, plus = 0;
+    for (const contactOverlap& o : overlapsOf(below, above, true))
+    {
+        minus += o.minus.area;
+        plus += o.plus.area;
+    }
+    CHECK(minus == Approx(1));
+    CHECK(plus == Approx(1));
+}

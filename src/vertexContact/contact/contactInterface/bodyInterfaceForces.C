@@ -44,6 +44,7 @@ void Foam::bodyInterface::findStates
         s.compliance = body.surfaceCompliance(side.patchi, k);
         s.inner = rim.size() && rim[k] ? 0 : 1;
         s.shared = 0;
+        s.around = body.surfaceAround(side.patchi, k)/s.stretch;
     }
 }
 

@@ -185,22 +185,13 @@ Foam::scalar Foam::obstacleInterface::complianceAlong
 {
     const solidBody& body = *side_.body;
     const scalar alone = body.surfaceCompliance(side_.patchi, k);
-    const scalarField& nodeArea = body.surface(side_.patchi).nodeArea;
-    if (nodeArea.empty()) return alone;
+    const vector around(body.surfaceAround(side_.patchi, k));
+    if (around == vector::zero) return alone;
 
-    // That was found along the corner's own normal
-    const label d = body.dual().nDim();
-    const dualPatch& patch = body.dual().patches()[side_.patchi];
-    const scalar* all = nodeArea.cdata() + k*d;
-    const scalar* own = patch.cornerNormal.cdata() + k*d;
-    scalar along = 0;
-    for (label i = 0; i < d; ++i) along += all[i]*own[i];
-    along = max(along, area);
     area *= cosine;
     return
         alone
-       *max((body.currentArea(patch.cornerNode[k], all) & n)/stretch, area)
-       /along;
+       *max((around & n)/stretch, area/body.surfaceArea(side_.patchi, k));
 }
 
 
@@ -232,7 +223,7 @@ void Foam::obstacleInterface::findForces()
         p.area = M.geometry.cornerArea[k];
         setObstacle(i, p);
 
-        const bool facing = (area & p.n) > leastFacing*stretch;
+        const bool facing = contactOverlaps::face(area, p.n);
         const contactLayer layer
         (
             facing
@@ -571,7 +562,7 @@ void Foam::obstacleInterface::solve(const scalar time, const bool firstStage)
         // As its mirror image would: half of the gap
         setTouching
         (
-            p, (M.n[k] & p.n) > leastFacing, closed_[i], 0.5*depth[k]
+            p, contactOverlaps::face(M.n[k], p.n), closed_[i], 0.5*depth[k]
         );
         lose(closed_[i], side_, k, p.gap, depth[k], depth[k]);
     }

@@ -255,11 +255,15 @@ struct projection
         }
     }
 
-    //- All of it in 3D, turned to the left
-    polygon whole() const
+    //- All of it in 3D, turned to the left.
+    //  \param ofEnds  what edges that end the body are marked with
+    polygon whole(const scalar ofEnds = 0.5) const
     {
         polygon all;
-        for (label i = 0; i < size; ++i) all.append(x[i]);
+        for (label i = 0; i < size; ++i)
+        {
+            all.append(x[i], face.ends[i] ? ofEnds : scalar(0.5));
+        }
         if (doubleArea(all) < 0) all.turnAround();
         return all;
     }
@@ -278,6 +282,23 @@ struct projection
     scalar within(const label i, const vector2D& at) const
     {
         return (at - x[i]) & inward(i);
+    }
+
+    bool contains(const vector2D& at) const
+    {
+        for (label i = 0; i < size; ++i) if (within(i, at) < 0) return false;
+        return true;
+    }
+
+    //- How far a point of the face is from the nearest end of the body there
+    scalar fromEnd(const vector2D& at) const
+    {
+        scalar least = GREAT;
+        for (label i = 0; i < size; ++i)
+        {
+            if (face.ends[i]) least = min(least, max(within(i, at), scalar(0)));
+        }
+        return least;
     }
 
     //- Of a point of the face, whether the surface ends there in a direction
@@ -471,6 +492,13 @@ contactStencil stencil
     return s;
 }
 
+//- The body ends at some of a face's edges
+bool ends(const contactFace& f)
+{
+    for (const bool is : f.ends) if (is) return true;
+    return false;
+}
+
 //- Directions of the plane across n, in 2D one, in 1D none
 void alongPlane
 (
@@ -549,6 +577,111 @@ Foam::contactStencil Foam::contactOverlaps::whole
 }
 
 
+Foam::overlapNormal Foam::contactOverlaps::normalOf
+(
+    const contactFace& minus,
+    const contactFace& plus,
+    const vector& outOfPlane,
+    const label nDim,
+    vector& n
+)
+{
+    overlapNormal which;
+    if (nDim == 1 || !(ends(minus) || ends(plus))) return which;
+
+    vector u, w;
+    alongPlane(n, outOfPlane, nDim, u, w);
+    const projection a(minus, u, w), b(plus, u, w);
+
+    // Which ends bound what both have in common, and how far they are from
+    // those of the other
+    const scalar half = 0.5*min(minus.width, plus.width);
+    scalar minusOn = 0, plusOn = 0, minusOff = GREAT, plusOff = GREAT;
+    const auto bounds = [&](const bool ofMinus, const vector2D& at)
+    {
+        scalar& off = ofMinus ? minusOff : plusOff;
+        off = min(off, (ofMinus ? b : a).fromEnd(at));
+        (ofMinus ? minusOn : plusOn) = min(scalar(1), sqr(off/half));
+    };
+    if (nDim == 2)
+    {
+        for (label i = 0; i < 2; ++i)
+        {
+            if (minus.ends[i] && b.contains(a.x[i])) bounds(true, a.x[i]);
+            if (plus.ends[i] && a.contains(b.x[i])) bounds(false, b.x[i]);
+        }
+    }
+    else
+    {
+        const polygon common(clipped(a.whole(0), b.whole(1), alongEdge));
+        for (label i = 0; i < common.size; ++i)
+        {
+            if (common.follows[i] == 0.5) continue;
+            const bool ofMinus = common.follows[i] == 0;
+            bounds(ofMinus, common.p[i]);
+            bounds(ofMinus, common.p[(i + 1) % common.size]);
+        }
+    }
+    which.minus = 1 - minusOn*(1 - plusOn);
+    which.plus = 1 - plusOn*(1 - minusOn);
+    n = which.minus*minus.n - which.plus*plus.n;
+    n /= mag(n);
+    if (nDim < 3 || !(ends(minus) && ends(plus))) return which;
+
+    // The edges that are the nearest to each other, as far as others are not
+    scalar second = 0;
+    const auto edge = [](const contactFace& f, const label i)
+    {
+        return f.x[(i + 1) % f.size] - f.x[i];
+    };
+    const auto share = [](const scalar s)
+    {
+        return min(max(s, scalar(0)), scalar(1));
+    };
+    for (label i = 0; i < minus.size; ++i)
+    {
+        const vector d(edge(minus, i));
+        for (label j = 0; minus.ends[i] && j < plus.size; ++j)
+        {
+            // Shares of both edges where they are the nearest to each other
+            const vector e(edge(plus, j));
+            const scalar sine = magSqr(d ^ e)/(magSqr(d)*magSqr(e));
+            if (!plus.ends[j] || sine < SMALL) continue;
+            const vector r(plus.x[j] - minus.x[i]);
+            const scalar perArea = 1/magSqr(d ^ e);
+            const scalar s = share
+            (
+                perArea*((e & e)*(d & r) - (d & e)*(e & r))
+            );
+            const scalar t = share
+            (
+                perArea*((d & e)*(d & r) - (d & d)*(e & r))
+            );
+            const scalar w = 1 - magSqr(r + t*e - s*d)/sqr(half);
+            if (w > which.crossing)
+            {
+                second = which.crossing;
+                which.crossing = w;
+                which.minusEdge = i;
+                which.plusEdge = j;
+            }
+            else second = max(second, w);
+        }
+    }
+    which.crossing -= second;
+    if (which.crossing > 0)
+    {
+        const vector d(edge(minus, which.minusEdge));
+        const vector e(edge(plus, which.plusEdge));
+        const vector c((d ^ e)/(mag(d)*mag(e)));
+        n = (1 - which.crossing*mag(c))*n
+          + ((c & n) < 0 ? -1 : 1)*which.crossing*c;
+        n /= mag(n);
+    }
+    return which;
+}
+
+
 bool Foam::contactOverlaps::beside
 (
     const contactFace& minus,
@@ -559,11 +692,6 @@ bool Foam::contactOverlaps::beside
 )
 {
     if (nDim == 1) return false;
-    const auto ends = [](const contactFace& f)
-    {
-        for (const bool is : f.ends) if (is) return true;
-        return false;
-    };
     if (!ends(minus) || !ends(plus)) return false;
 
     vector u, w;
@@ -635,6 +763,7 @@ void Foam::contactOverlaps::append
     const contactFace& minus,
     const contactFace& plus,
     const vector& n,
+    const overlapNormal& normal,
     const vector& outOfPlane,
     const label nDim,
     const bool joined,
@@ -678,14 +807,24 @@ void Foam::contactOverlaps::append
         o.plus = sidePlus;
         o.depth = min(minus.depth[i], plus.depth[j]);
         o.width = 0.5*(minus.width + plus.width);
+        o.normal = normal;
+        if (normal.crossing > 0)
+        {
+            o.normal.minusEdge =
+                (normal.minusEdge + minus.size - i) % minus.size;
+            o.normal.plusEdge = (normal.plusEdge + plus.size - j) % plus.size;
+        }
         overlaps.append(o);
         return overlaps.size() - 1 - first;
     };
 
-    const auto setMotions = [&]
+    const auto finish = [&]
     {
         for (label k = first; joined && k < overlaps.size(); ++k)
         {
+            // As seen along the normal
+            overlaps[k].minus.area *= minus.n & n;
+            overlaps[k].plus.area *= -(plus.n & n);
             overlaps[k].motion = moving[k - first].motion(u, w);
             if (nDim < 3) continue;
             overlaps[k].edges = moving[k - first].outline();
@@ -722,7 +861,7 @@ void Foam::contactOverlaps::append
                 }
             }
         }
-        setMotions();
+        finish();
         return;
     }
 
@@ -776,7 +915,7 @@ void Foam::contactOverlaps::append
             }
         }
     }
-    if (nDim == 2) setMotions();
+    if (nDim == 2) finish();
 }
 
 

@@ -221,8 +221,8 @@ Foam::contactPairings::AMI::AMI
             {
                 contactOverlaps::append
                 (
-                    a, b, n, out, dual.nDim(), minus.body->variational(),
-                    overlaps
+                    a, b, n, overlapNormal(), out, dual.nDim(),
+                    minus.body->variational(), overlaps
                 );
             }
         }

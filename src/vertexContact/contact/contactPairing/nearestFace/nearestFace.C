@@ -26,8 +26,14 @@ namespace
 
 using namespace Foam;
 
-//- Largest product of the normals of faces that meet
-constexpr scalar leastOpposed = -0.5;
+//- Largest product of the normals of faces that meet: of edges at right angles
+//  whose faces just see the normal across these
+constexpr scalar leastOpposed =
+    -contactOverlaps::leastFacing*contactOverlaps::leastFacing;
+
+//- And of those that meet along the mean of their normals: surfaces of a
+//  concave edge do not
+constexpr scalar leastOfMean = -0.5;
 
 //- Of one body: distance of nodes, by the width of the faces, up to which they
 //  are the same one, and up to which faces that do not face each other are
@@ -205,7 +211,7 @@ bool Foam::contactPairings::nearestFace::opposed
         }
         const vector between(Cb - Ca);
         const scalar along = between & a.N;
-        const bool opposite = (a.N & b.N) < leastOpposed;
+        const bool opposite = (a.N & b.N) < 0;
         const bool faced = opposite && along > 0;
 
         // Both sides of the same part of the body, whatever is between them
@@ -297,18 +303,28 @@ void Foam::contactPairings::nearestFace::pairFaces
             const contactFace& b =
                 where.size() ? faces[where[i]] : received[others[i].face];
             vector n;
+            if (!opposed(face, b, n)) continue;
+
+            overlapNormal normal;
+            if (!bonded_ && minus_.body->variational())
+            {
+                normal = contactOverlaps::normalOf(face, b, out, nDim, n);
+            }
             if
             (
-                opposed(face, b, n)
-             && (
-                    bonded_
-                 || !contactOverlaps::beside(face, b, n, out, nDim)
+                bonded_
+             || (
+                    contactOverlaps::face(face.n, n)
+                 && contactOverlaps::face(-b.n, n)
+                 && (face.n & b.n) < leastOfMean*normal.mean()
+                 && !contactOverlaps::beside(face, b, n, out, nDim)
                 )
             )
             {
                 contactOverlaps::append
                 (
-                    face, b, n, out, nDim, minus_.body->variational(), overlaps
+                    face, b, n, normal, out, nDim,
+                    minus_.body->variational(), overlaps
                 );
             }
         }
