@@ -7,7 +7,7 @@ import pytest
 
 from vertexContactTests.caseTools import (DEFAULT, Case, Scene, checked,
                                           contents, differingFiles, runAgain,
-                                          timeFolders)
+                                          solver, timeFolders)
 from vertexContactTests.collisions import END, SCENES as COLLISIONS, collision
 from vertexContactTests.smallCases import (RUBBER, Body, SmallCase, condition,
                                            interface, table)
@@ -113,3 +113,40 @@ def test_restart_of_own_steps_and_motions(tmp_path, figures):
     ((expected,), _), ((found,), _) = runAgain(case)
     with figures("restart, steps of their own, prescribed motions") as f:
         f.equal("files that differ", differingFiles([expected], [found]), [])
+
+
+@pytest.mark.parametrize("regions", (1, 2))
+def test_restart_on_other_ranks(tmp_path, figures, regions):
+    """A serial run is continued on two ranks, and that in serial: the same as
+    without. decomposePar takes the record of the run along only if there are
+    several regions; without it velocities are half a step off."""
+    bodies = [
+        Body((4, 3), name=f"body{i}", start=(1.5*i, 0, 0), material=RUBBER,
+             velocity=lambda X: np.stack(
+                 (0.1*X[:, 1], 0.05*X[:, 0], 0*X[:, 0]), axis=1))
+        for i in range(regions)]
+
+    def until(case, time, ranks):
+        case.set("system/controlDict", {"endTime": time})
+        if ranks == 1:
+            checked(["vertexContactFoam"], case.path)
+            return
+        case.decompose(ranks)
+        checked(solver(ranks), case.path)
+        checked(["reconstructPar", "-allRegions", "-newTimes"], case.path)
+
+    straight = SmallCase(tmp_path/"straight", bodies, 3, preset=DEFAULT,
+                         control={"writeInterval": 1,
+                                  "startFrom": "latestTime"}).run()
+    case = Case(shutil.copytree(straight.path, tmp_path/"case"))
+    for time in "1", "2", "3":
+        shutil.rmtree(case/time)
+    shutil.rmtree(case/"postProcessing")
+    for time, ranks in (1, 1), (2, 2), (3, 1):
+        until(case, time, ranks)
+    with figures(f"{regions} regions, on one rank, on two, on one") as f:
+        for body in bodies:
+            for name in "pointD", "pointU":
+                a, b = (c.field("3", body.name, name) for c in (straight, case))
+                f.atMost(f"{name} of {body.name}: difference / largest",
+                         abs(a - b).max()/abs(a).max(), 1e-12)

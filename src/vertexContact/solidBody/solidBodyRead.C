@@ -10,6 +10,7 @@ Description
 
 #include "solidBody.H"
 #include "regionFiles.H"
+#include "writtenTimes.H"
 #include "rigidMaterial.H"
 #include "dictionaryCheck.H"
 #include "fileError.H"
@@ -220,11 +221,7 @@ void Foam::solidBody::readState()
         readIfPresent<vector>("lm", dimDensity*dimVelocity);
     const auto D = readIfPresent<vector>("pointD", dimLength);
     const auto F = readIfPresent<tensor>("F", dimless);
-    IOobject record
-    (
-        "solidSystem", time_.timeName(), "uniform", time_,
-        IOobject::MUST_READ, IOobject::NO_WRITE, false
-    );
+    IOobject record(writtenTimes::record(time_));
     if (!D.valid() && dictionaryCheck::isThere<IOdictionary>(record))
     {
         FatalFileErrorInFunction(pointUFile_.path()/"pointD")

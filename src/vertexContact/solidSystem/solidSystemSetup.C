@@ -13,6 +13,7 @@ Description
 #include "paperBody.H"
 #include "regionFiles.H"
 #include "systemChecks.H"
+#include "writtenTimes.H"
 #include "dictionaryCheck.H"
 #include "uniformDimensionedFields.H"
 #include "IOdictionary.H"
@@ -87,11 +88,7 @@ void Foam::solidSystem::readGravity()
 Foam::dictionary Foam::solidSystem::readRecord()
 {
     systemChecks::processors(runTime_);
-    IOobject io
-    (
-        "solidSystem", runTime_.timeName(), "uniform", runTime_,
-        IOobject::MUST_READ, IOobject::NO_WRITE, false
-    );
+    IOobject io(writtenTimes::record(runTime_));
     if (!dictionaryCheck::isThere<IOdictionary>(io)) return dictionary();
     const IOdictionary record(io);
     const scalar exact = record.get<scalar>("time");

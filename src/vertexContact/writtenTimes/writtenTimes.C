@@ -5,8 +5,10 @@
 \*---------------------------------------------------------------------------*/
 
 #include "writtenTimes.H"
+#include "dictionaryCheck.H"
 #include "argList.H"
 #include "IFstream.H"
+#include "IOdictionary.H"
 #include "OSspecific.H"
 #include "Time.H"
 #include "PstreamReduceOps.H"
@@ -95,6 +97,25 @@ word forIncomplete(const argList& args, const SetAside& setAside)
 
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+Foam::IOobject Foam::writtenTimes::record(const Time& runTime)
+{
+    const auto in = [&](const fileName& instance, const fileName& local)
+    {
+        return IOobject
+        (
+            "solidSystem", instance, local, runTime, IOobject::MUST_READ,
+            IOobject::NO_WRITE, false
+        );
+    };
+    IOobject its(in(runTime.timeName(), "uniform"));
+    if (!runTime.processorCase() || dictionaryCheck::isThere<IOdictionary>(its))
+    {
+        return its;
+    }
+    return in(runTime.globalPath()/runTime.timeName()/"uniform", "");
+}
+
 
 bool Foam::writtenTimes::ends(const fileName& file)
 {
