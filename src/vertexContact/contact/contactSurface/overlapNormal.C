@@ -1,0 +1,259 @@
+/*---------------------------------------------------------------------------*\
+    vertexContact: explicit large-strain contact dynamics in OpenFOAM
+    Copyright (C) 2026 vertexContact developers
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "overlapNormal.H"
+#include "faceProjection.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- The body ends at some of a face's edges
+bool ends(const contactFace& f)
+{
+    for (const bool is : f.ends) if (is) return true;
+    return false;
+}
+
+//- Half of the width of the finer face
+scalar halfWidth(const contactFace& minus, const contactFace& plus)
+{
+    return 0.5*min(minus.width, plus.width);
+}
+
+//- Set how much the normals of both sides count.
+//  \param n  along which they are seen
+void setShares
+(
+    const contactFace& minus,
+    const contactFace& plus,
+    const vector& n,
+    const vector& outOfPlane,
+    const label nDim,
+    overlapNormal& which
+)
+{
+    vector u, w;
+    alongPlane(n, outOfPlane, nDim, u, w);
+    const faceProjection a(minus, u, w), b(plus, u, w);
+    const scalar half = halfWidth(minus, plus);
+
+    // Which ends bound what both have in common, and how far they are from
+    // those of the other
+    scalar minusOn = 0, plusOn = 0, minusOff = GREAT, plusOff = GREAT;
+    const auto bounds = [&](const bool ofMinus, const vector2D& at)
+    {
+        scalar& off = ofMinus ? minusOff : plusOff;
+        off = min(off, (ofMinus ? b : a).fromEnd(at));
+        (ofMinus ? minusOn : plusOn) = min(scalar(1), sqr(off/half));
+    };
+    if (nDim == 2)
+    {
+        for (label i = 0; i < 2; ++i)
+        {
+            if (minus.ends[i] && b.contains(a.x[i])) bounds(true, a.x[i]);
+            if (plus.ends[i] && a.contains(b.x[i])) bounds(false, b.x[i]);
+        }
+    }
+    else
+    {
+        constexpr scalar ofMinus = 0, ofPlus = 1;
+        const convexPolygon common
+        (
+            clipped
+            (
+                a.whole(ofMinus), b.whole(ofPlus), contactOverlaps::alongEdge
+            )
+        );
+        for (label i = 0; i < common.size; ++i)
+        {
+            const scalar side = common.mark[i];
+            if (side != ofMinus && side != ofPlus) continue;
+            bounds(side == ofMinus, common.p[i]);
+            bounds(side == ofMinus, common.p[(i + 1) % common.size]);
+        }
+    }
+    which.minus = 1 - minusOn*(1 - plusOn);
+    which.plus = 1 - plusOn*(1 - minusOn);
+}
+
+//- Find the edges that cross: the nearest to each other, as far as others are
+//  not
+void setCrossing
+(
+    const contactFace& minus,
+    const contactFace& plus,
+    overlapNormal& which
+)
+{
+    const scalar half = halfWidth(minus, plus);
+    const auto share = [](const scalar s)
+    {
+        return min(max(s, scalar(0)), scalar(1));
+    };
+    scalar second = 0;
+    for (label i = 0; i < minus.size; ++i)
+    {
+        const vector d(minus.edge(i));
+        for (label j = 0; minus.ends[i] && j < plus.size; ++j)
+        {
+            const vector e(plus.edge(j));
+            const scalar sqrArea = magSqr(d ^ e);
+            const bool along = sqrArea <= SMALL*magSqr(d)*magSqr(e);
+            if (!plus.ends[j] || along) continue;
+
+            // Shares of both edges where they are the nearest to each other
+            const vector r(plus.x[j] - minus.x[i]);
+            const scalar de = d & e, dr = d & r, er = e & r;
+            const scalar s = share((magSqr(e)*dr - de*er)/sqrArea);
+            const scalar t = share((de*dr - magSqr(d)*er)/sqrArea);
+            const scalar w = 1 - magSqr(r + t*e - s*d)/sqr(half);
+            if (w > which.crossing)
+            {
+                second = which.crossing;
+                which.crossing = w;
+                which.minusEdge = i;
+                which.plusEdge = j;
+            }
+            else second = max(second, w);
+        }
+    }
+    which.crossing -= second;
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * Functions * * * * * * * * * * * * * * * * //
+
+bool Foam::contactOverlaps::commonNormal
+(
+    const vector& nMinus,
+    const vector& nPlus,
+    vector& n
+)
+{
+    n = nMinus - nPlus;
+    const scalar magN = mag(n);
+    const bool opposed = magN > 1;
+    n = opposed ? n/magN : nMinus/mag(nMinus);
+    return opposed;
+}
+
+
+Foam::overlapNormal Foam::contactOverlaps::normalOf
+(
+    const contactFace& minus,
+    const contactFace& plus,
+    const vector& outOfPlane,
+    const label nDim,
+    vector& n
+)
+{
+    overlapNormal which;
+    if (nDim == 1 || !(ends(minus) || ends(plus))) return which;
+
+    setShares(minus, plus, n, outOfPlane, nDim, which);
+    n = which.minus*minus.n - which.plus*plus.n;
+    n /= mag(n);
+    if (nDim == 3) setCrossing(minus, plus, which);
+    if (which.crossing > 0)
+    {
+        const vector d(minus.edge(which.minusEdge));
+        const vector e(plus.edge(which.plusEdge));
+        const vector c((d ^ e)/(mag(d)*mag(e)));
+        n = (1 - which.crossing*mag(c))*n
+          + ((c & n) < 0 ? -1 : 1)*which.crossing*c;
+        n /= mag(n);
+    }
+    return which;
+}
+
+
+bool Foam::contactOverlaps::beside
+(
+    const contactFace& minus,
+    const contactFace& plus,
+    const vector& n,
+    const vector& outOfPlane,
+    const label nDim
+)
+{
+    if (nDim == 1) return false;
+    if (!ends(minus) || !ends(plus)) return false;
+
+    vector u, w;
+    alongPlane(n, outOfPlane, nDim, u, w);
+    const faceProjection a(minus, u, w), b(plus, u, w);
+
+    // What the faces have in common
+    convexPolygon common;
+    if (nDim == 2)
+    {
+        const scalar from = max
+        (
+            min(a.x[0].x(), a.x[1].x()), min(b.x[0].x(), b.x[1].x())
+        );
+        const scalar to = min
+        (
+            max(a.x[0].x(), a.x[1].x()), max(b.x[0].x(), b.x[1].x())
+        );
+        if (from >= to) return false;
+        common.append(vector2D(from, 0));
+        common.append(vector2D(to, 0));
+    }
+    else
+    {
+        common = clipped(a.whole(), b.whole(), 0);
+        if (common.size < 3 || doubleArea(common) <= 0) return false;
+    }
+    vector2D at(Zero);
+    for (label i = 0; i < common.size; ++i) at += common.p[i]/common.size;
+    const scalar inside = (a.above(at) - b.above(at)) & n;
+    if (inside <= 0) return false;
+
+    // The least way of one of them out over a rim of the other
+    scalar least = GREAT;
+    const auto leave = [&]
+    (
+        const faceProjection& over,
+        const faceProjection& other
+    )
+    {
+        for (label i = 0; i < over.size; ++i)
+        {
+            if (!over.face.ends[i]) continue;
+            scalar furthest = 0;
+            label which = -1;
+            for (label k = 0; k < common.size; ++k)
+            {
+                const scalar way = over.within(i, common.p[k]);
+                if (way > furthest)
+                {
+                    furthest = way;
+                    which = k;
+                }
+            }
+            if
+            (
+                which >= 0
+             && other.endsAt(common.p[which], over.inward(i))
+            )
+            {
+                least = min(least, furthest);
+            }
+        }
+    };
+    leave(a, b);
+    leave(b, a);
+    return inside > least;
+}
+
+
+// ************************************************************************* //
