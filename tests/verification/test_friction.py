@@ -110,7 +110,7 @@ def test_rest_on_a_slope(tmp_path, figures):
     D = [case.at("pointD", time, "block") for time in case.times]
     kinetic = case.energies["total:kinetic"]
     with figures("3D block on a body, at a fifth of the angle of friction") as f:
-        # Each pairing finds areas and normals of the last state
+        # Each pairing, here each write, finds areas and normals anew
         f.atMost("drift in the last fifth / cell",
                  2*largest(D[-1] - D[-2]), 1e-9)
         f.atMost("kinetic energy at the end / largest",

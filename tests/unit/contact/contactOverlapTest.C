@@ -290,6 +290,7 @@ TEST_CASE("Faces that got inside each other past their rims", "[contact]")
         f.n = f.N = n;
         f.x[0] = f.X[0] = point(x, y, 0);
         f.x[1] = f.X[1] = point(x + 1, y, 0);
+        f.depth = 1;
         f.ends[0] = f.ends[1] = true;
         return f;
     };
@@ -646,9 +647,10 @@ TEST_CASE("Edges along each other have no normal, and those that end no next")
 }
 
 
-TEST_CASE("The area of an overlap is what its normal sees of it")
+TEST_CASE("The area of an overlap at an edge is what its normal sees of it")
 {
     const scalar slope = GENERATE(0.0, 0.5, 1.5);
+    const bool edge = GENERATE(false, true);
     const contactFace below
     (
         square(point(0, 0, 0), vector(1, 0, 0), vector(0, 1, 0))
@@ -657,12 +659,19 @@ TEST_CASE("The area of an overlap is what its normal sees of it")
     (
         square(point(0, 0, 0), vector(0, 1, 0), vector(1, 0, slope))
     );
+    overlapNormal normal;
+    if (edge) normal.plus = 0;
+    DynamicList<contactOverlap> overlaps;
+    contactOverlaps::append
+    (
+        below, above, up, normal, vector::zero, 3, true, overlaps
+    );
     scalar minus = 0, plus = 0;
-    for (const contactOverlap& o : overlapsOf(below, above, true))
+    for (const contactOverlap& o : overlaps)
     {
         minus += o.minus.area;
         plus += o.plus.area;
     }
     CHECK(minus == Approx(1));
-    CHECK(plus == Approx(1));
+    CHECK(plus == Approx(edge ? 1 : std::sqrt(1 + sqr(slope))));
 }

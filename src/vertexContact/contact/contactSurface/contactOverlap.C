@@ -231,9 +231,10 @@ void Foam::contactOverlaps::append
     {
         for (label k = first; joined && k < overlaps.size(); ++k)
         {
-            // As seen along the normal
-            overlaps[k].minus.area *= minus.n & n;
-            overlaps[k].plus.area *= -(plus.n & n);
+            // Where edges are concerned what the normal sees
+            const scalar share = 1 - normal.mean();
+            overlaps[k].minus.area *= 1 - share*(1 - (minus.n & n));
+            overlaps[k].plus.area *= 1 - share*(1 + (plus.n & n));
             overlaps[k].motion = moving[k - first].motion(u, w);
             if (nDim < 3) continue;
             overlaps[k].edges = moving[k - first].outline();

@@ -186,7 +186,7 @@ bool Foam::contactOverlaps::beside
 )
 {
     if (nDim == 1) return false;
-    if (!ends(minus) || !ends(plus)) return false;
+    if (!ends(minus) && !ends(plus)) return false;
 
     vector u, w;
     alongPlane(n, outOfPlane, nDim, u, w);
@@ -216,7 +216,15 @@ bool Foam::contactOverlaps::beside
     vector2D at(Zero);
     for (label i = 0; i < common.size; ++i) at += common.p[i]/common.size;
     const scalar inside = (a.above(at) - b.above(at)) & n;
+    scalar deepest = 0;
+    for (label i = 0; i < common.size; ++i)
+    {
+        const vector2D& x = common.p[i];
+        deepest = max(deepest, (a.above(x) - b.above(x)) & n);
+    }
+    if (deepest > 0.5*(minus.depth[0] + plus.depth[0])) return true;
     if (inside <= 0) return false;
+    if (!ends(minus) || !ends(plus)) return false;
 
     // The least way of one of them out over a rim of the other
     scalar least = GREAT;

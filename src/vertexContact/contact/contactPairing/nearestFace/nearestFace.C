@@ -55,6 +55,18 @@ bool behind
     return ((b.centre - a.centre) & n) < -(1 + sameNode)*depth;
 }
 
+//- Faces are no further from each other along n than they are wide, and their
+//  centres no further inside each other than the cells behind are thick
+bool close(const contactFace& a, const contactFace& b, const vector& n)
+{
+    scalar top = -GREAT, bottom = GREAT;
+    for (label i = 0; i < a.size; ++i) top = max(top, a.x[i] & n);
+    for (label i = 0; i < b.size; ++i) bottom = min(bottom, b.x[i] & n);
+    return
+        bottom - top <= 0.5*(a.width + b.width)
+     && ((b.centre() - a.centre()) & n) >= -0.5*(a.depth[0] + b.depth[0]);
+}
+
 //- Lexicographic
 bool before(const point& a, const point& b)
 {
@@ -166,7 +178,6 @@ bool Foam::contactPairings::nearestFace::opposed
     }
     contactOverlaps::commonNormal(a.n, b.n, n);
 
-    const scalar depth = 0.5*(a.depth[0] + b.depth[0]);
     const scalar width = 0.5*(a.width + b.width);
     const point ca(a.centre()), cb(b.centre());
     const scalar reach = a.radius() + b.radius();
@@ -175,17 +186,13 @@ bool Foam::contactPairings::nearestFace::opposed
         return false;
     }
 
-    // Smallest and largest distances of nodes along n
-    scalar top = -GREAT, bottom = GREAT;
-    for (label i = 0; i < a.size; ++i) top = max(top, a.x[i] & n);
-    for (label i = 0; i < b.size; ++i) bottom = min(bottom, b.x[i] & n);
-    if (bottom - top > width || ((cb - ca) & n) < -depth)
-    {
-        return false;
-    }
+    if (!close(a, b, n)) return false;
 
     if (oneBody_)
     {
+        // Which edge lies on which face is not told of one body
+        if ((a.n & b.n) > leastOfMean) return false;
+
         // The other order of the same two
         if (minus_ == plus_ && !before(a, b)) return false;
 
@@ -211,7 +218,7 @@ bool Foam::contactPairings::nearestFace::opposed
         }
         const vector between(Cb - Ca);
         const scalar along = between & a.N;
-        const bool opposite = (a.N & b.N) < 0;
+        const bool opposite = (a.N & b.N) < leastOfMean;
         const bool faced = opposite && along > 0;
 
         // Both sides of the same part of the body, whatever is between them
@@ -314,7 +321,8 @@ void Foam::contactPairings::nearestFace::pairFaces
             (
                 bonded_
              || (
-                    contactOverlaps::face(face.n, n)
+                    close(face, b, n)
+                 && contactOverlaps::face(face.n, n)
                  && contactOverlaps::face(-b.n, n)
                  && (face.n & b.n) < leastOfMean*normal.mean()
                  && !contactOverlaps::beside(face, b, n, out, nDim)
