@@ -81,8 +81,7 @@ def test_what_pulls_over_an_edge(tmp_path, figures):
     without friction: with the force by which its energy falls as more of it
     hangs over, dU/dw over the length that is held, U half of the work of the
     weight. That grows with the square of the weight. The edge has no normal of
-    its own, its force acts along that of the block: here over a face from
-    there."""
+    its own, its force acts along that of the block."""
     g, n, step = 1e-3, 14, 0.04
     forces, energies = [], []
     for width in 0.7 - step, 0.7, 0.7 + step:

@@ -234,13 +234,11 @@ Foam::vector Foam::solidBody::surfaceAround
     const scalarField& nodeArea = surfaces_[patchi].nodeArea;
     if (nodeArea.empty()) return vector::zero;
 
-    return
-        currentArea
-        (
-            dual_.patches()[patchi].cornerNode[k],
-            nodeArea.cdata() + k*dual_.nDim()
-        )
-       /surfaceArea(patchi, k);
+    return currentArea
+    (
+        dual_.patches()[patchi].cornerNode[k],
+        nodeArea.cdata() + k*dual_.nDim()
+    );
 }
 
 

@@ -24,6 +24,7 @@ void Foam::bodyInterface::findStates
     const solidBody& body = *side.body;
     const dualPatch& patch = body.dual().patches()[side.patchi];
     const boolList& rim = body.surface(side.patchi).rimNode;
+    const bool rigid = body.surface(side.patchi).nodeArea.empty();
     const label d = body.dual().nDim();
     const scalar* X = body.dual().nodePosition().cdata();
     const scalar* disp = body.state().disp.cdata();
@@ -44,7 +45,15 @@ void Foam::bodyInterface::findStates
         s.compliance = body.surfaceCompliance(side.patchi, k);
         s.inner = rim.size() && rim[k] ? 0 : 1;
         s.shared = 0;
-        s.around = body.surfaceAround(side.patchi, k)/s.stretch;
+
+        // Within a surface they have the normal of the corner
+        s.around = rigid ? vector::zero : s.n;
+        if (!rigid && s.inner < 0.5)
+        {
+            s.around =
+                body.surfaceAround(side.patchi, k)
+               /(s.stretch*body.surfaceArea(side.patchi, k));
+        }
     }
 }
 

@@ -191,7 +191,8 @@ Foam::scalar Foam::obstacleInterface::complianceAlong
     area *= cosine;
     return
         alone
-       *max((around & n)/stretch, area/body.surfaceArea(side_.patchi, k));
+       *max((around & n)/stretch, area)
+       /body.surfaceArea(side_.patchi, k);
 }
 
 
