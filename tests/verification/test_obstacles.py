@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from vertexContactTests.caseTools import DEFAULT, PRESET, checkEnergies
+from vertexContactTests.caseTools import (DEFAULT, PRESET, checkEnergies,
+                                          timeFolders)
 from vertexContactTests.contactScenes import rigid
 from vertexContactTests.smallCases import (ELASTIC, RUBBER, Body, SmallCase,
                                            coulomb, interface, largest)
@@ -155,6 +156,64 @@ def test_rotating(tmp_path, figures):
                  L[-1]/inertia/omega, 1, 0.1)
         f.atMost("momentum aside / (mass omega r)", largest(
             case.momentumOf("block")[:, (0, 2)])/(0.4*omega*0.5), 1e-2)
+
+
+@pytest.mark.parametrize("law, kind, ranks", (
+    (coulomb(0.5), "rigid", 1), (coulomb(0.5), "rigid", 2),
+    ("tied", "rigid", 1), ("tied", "elastic", 2)),
+    ids=("sticks", "sticks, two ranks", "tied", "elastic tied"))
+def test_stays_on_a_turntable(tmp_path, figures, law, kind, ranks):
+    """What sticks or is tied goes round with a turntable, and not off along
+    the tangents of its way: Coulomb's law holds three times what it takes."""
+    g, friction = 0.02, 0.5
+    omega = np.sqrt(0.3*friction*g)
+    size = (0.5, g, 0.6)
+    elastic = kind == "elastic"
+    body = Body(
+        cells=(4, 2, 4), name="block", start=(0.75, 0, -0.3), size=size,
+        sides={"bottom": "contact"},
+        velocity=lambda X: np.cross((0, omega, 0), X),
+        material={**RUBBER, "E": 5} if elastic else {
+            "type": "rigid", "rho": 1, "force": (0, -g*np.prod(size), 0)})
+    case = SmallCase(
+        tmp_path, body, 2*np.pi/omega, preset=DEFAULT,
+        interfaces=wall(law=law, motion=rotating((0, 0, 0), (0, 1, 0), omega)),
+        control={} if elastic else {"adjustTimeStep": "no", "deltaT": 0.02},
+        gravity=(0, -g, 0) if elastic else None)
+    case = case.run() if ranks == 1 else case.runParallel(ranks)
+    p = case.momentumOf("block")[:, (0, 2)]
+    speed = np.linalg.norm(p, axis=1)/(omega*np.prod(size))
+    with figures(f"{kind} block, {law}, {ranks} ranks, one turn") as f:
+        f.within("speed after one turn / at first", speed[-1]/speed[0], 1,
+                 2e-5)
+        f.atMost("angle it lags", abs(np.arctan2(p[-1, 0], -p[-1, 1])), 1e-3)
+        if law == "tied":
+            f.equal("friction, of what is tied",
+                    largest(case.energies["total:frictionDissipation"]), 0)
+
+
+@pytest.mark.parametrize("cells, step", (
+    ((1, 1, 1), 0.02), ((4, 2, 4), 0.005), ((4, 2), 0.02)))
+def test_tied_to_a_wall_stays(tmp_path, figures, cells, step):
+    """What is tied gives way under a force along the wall as under one across
+    it, and stays there."""
+    size = (0.5, 0.3, 0.6)
+    g = 0.02
+    body = Body(cells=cells, name="block", size=size,
+                sides={"bottom": "contact"},
+                material={"type": "rigid", "rho": 1})
+    case = SmallCase(
+        tmp_path, body, 100, preset=DEFAULT, gravity=(g, -g, 0),
+        interfaces=wall(law="tied"), control={
+            "adjustTimeStep": "no", "deltaT": step, "writeInterval": 50}).run()
+    bottom = case.X()[:, 1] < 1e-9
+    half, end = (case.at("pointD", time)[bottom].mean(axis=0)
+                 for time in timeFolders(case.path)[-2:])
+    with figures(f"rigid block tied to a wall, {cells}, {step} s a step") as f:
+        f.within("way along it / across it", -end[0]/end[1], 1, 1e-2)
+        f.atMost("way / height", largest(end)/size[1], 1e-3)
+        f.atMost("way in the second half / way", largest(end - half)
+                 / largest(end), 1e-9)
 
 
 def rotating(origin, axis, omega):

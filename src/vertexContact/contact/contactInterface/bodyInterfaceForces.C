@@ -625,12 +625,15 @@ void Foam::bodyInterface::slideOverlaps
             if (p.result.state == acousticRiemann::status::open) continue;
 
             const int l = near.lane[k];
+            sumFriction
+            (
+                p, vector(mean[0][l], mean[1][l], mean[2][l]), middle
+            );
             slideMemory::sums slid
             (
                 slideBy
                 (
-                    p, vector(way[0][l], way[1][l], way[2][l]),
-                    vector(mean[0][l], mean[1][l], mean[2][l]), middle, deltaT
+                    p, vector(way[0][l], way[1][l], way[2][l]), deltaT
                 )
             );
             memory.add(minusNode[minusCorners_[b.minus.slot[0][l]]], slid);

@@ -96,14 +96,10 @@ Foam::slideMemory::sums Foam::contactInterface::slideBy
 (
     const contactLaw::problem& p,
     const vector& way,
-    const vector& mean,
-    const scalar middle,
     const scalar deltaT
 )
 {
     using namespace acousticRiemann;
-
-    account_.friction += middle*p.area*(tangential(p.result.t, p.n) & mean);
 
     slideMemory::sums s;
     s.area = max(p.area, scalar(0));

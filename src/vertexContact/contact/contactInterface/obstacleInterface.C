@@ -202,7 +202,7 @@ void Foam::obstacleInterface::findForces()
     const cornerStates& M = body.corners(side_.patchi);
     const scalarField& depth = body.surface(side_.patchi).depth;
     const scalar deltaT = body.contact().step();
-    const bool sticks = law().sticks();
+    const bool remembers = this->remembers();
 
     forAll(planes_, i)
     {
@@ -234,7 +234,7 @@ void Foam::obstacleInterface::findForces()
         layer.set
         (
             p, stretch, facing, law().bonded(),
-            sticks
+            remembers
           ? acousticRiemann::tangential(body.slide(node), p.n)
           : vector::zero,
             deltaT, body.contact().gives()
@@ -329,7 +329,10 @@ Foam::obstacleInterface::obstacleInterface
     reduce(leastWidth_, minOp<scalar>());
     cut_ = returnReduce(label(faces.size() > 0), sumOp<label>()) > 1;
 
-    rememberSlide(law(), side_);
+    if (remembers() && side_.body->variational())
+    {
+        side_.body->rememberSlide();
+    }
 
     if (side_.body->immovable())
     {
@@ -515,6 +518,7 @@ void Foam::obstacleInterface::find(const scalar time)
     if (planes_.empty()) return;
 
     motion_.setTime(time);
+    found_ = time;
     followEdges();
     if (side_.body->variational()) findForces();
 }
@@ -589,10 +593,37 @@ void Foam::obstacleInterface::solve(const scalar time, const bool firstStage)
 }
 
 
+Foam::vector Foam::obstacleInterface::way
+(
+    const label node,
+    const septernion& begin,
+    const septernion& end,
+    const scalar deltaT
+) const
+{
+    const solidBody& body = *side_.body;
+    const point X
+    (
+        begin.invTransformPoint
+        (
+            body.position(node) - deltaT*body.stepVelocity(node)
+        )
+    );
+    return (end.transformPoint(X) - begin.transformPoint(X))/deltaT;
+}
+
+
 void Foam::obstacleInterface::slide(const scalar middle, const scalar deltaT)
 {
     solidBody& body = *side_.body;
-    const bool sticks = law().sticks();
+    const bool remembers = this->remembers();
+    const bool moves = remembers && motion_.moves() && deltaT > 0;
+    septernion begin, end;
+    if (moves)
+    {
+        begin = motion_.poseAt(found_);
+        end = motion_.poseAt(found_ + deltaT);
+    }
     const labelList& cornerNode =
         body.corners(side_.patchi).geometry.cornerNode;
     forAll(planes_, i)
@@ -601,19 +632,15 @@ void Foam::obstacleInterface::slide(const scalar middle, const scalar deltaT)
         if (p.result.state == acousticRiemann::status::open) continue;
 
         const label node = cornerNode[planes_[i].corner];
-        account_.taken +=
-            middle*p.area
-           *(p.result.t & (p.plus.v - body.meanStepVelocity(node)));
-        if (!sticks) continue;
+        const vector mean(p.plus.v - body.meanStepVelocity(node));
+        account_.taken += middle*p.area*(p.result.t & mean);
+        if (law().sticks()) sumFriction(p, mean, middle);
+        if (!remembers) continue;
 
+        const vector its(moves ? way(node, begin, end, deltaT) : p.plus.v);
         body.contact().slide.add
         (
-            node,
-            slideBy
-            (
-                p, p.plus.v - body.stepVelocity(node),
-                p.plus.v - body.meanStepVelocity(node), middle, deltaT
-            )
+            node, slideBy(p, its - body.stepVelocity(node), deltaT)
         );
     }
 }
