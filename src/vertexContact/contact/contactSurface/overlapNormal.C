@@ -27,58 +27,72 @@ scalar halfWidth(const contactFace& minus, const contactFace& plus)
     return 0.5*min(minus.width, plus.width);
 }
 
-//- Set how much the normals of both sides count.
-//  \param n  along which they are seen
-void setShares
+//- How much the ends of one face that bound what it has in common with another
+//  are on that one: no less than a half of a width from where that ends itself.
+//  They are seen along the other face's normal, which is that of contact if they
+//  are on it: along another one, an end that is inside is not above the face
+//  that it is behind. They count as long as they are next to the face, on what
+//  goes on from it: over a line between two faces that lie in one plane what
+//  both have of the normal does not change
+scalar endsOn
 (
-    const contactFace& minus,
-    const contactFace& plus,
-    const vector& n,
+    const contactFace& its,
+    const contactFace& other,
     const vector& outOfPlane,
-    const label nDim,
-    overlapNormal& which
+    const label nDim
 )
 {
     vector u, w;
-    alongPlane(n, outOfPlane, nDim, u, w);
-    const faceProjection a(minus, u, w), b(plus, u, w);
-    const scalar half = halfWidth(minus, plus);
-
-    // Which ends bound what both have in common, and how far they are from
-    // those of the other
-    scalar minusOn = 0, plusOn = 0, minusOff = GREAT, plusOff = GREAT;
-    const auto bounds = [&](const bool ofMinus, const vector2D& at)
+    alongPlane(other.n, outOfPlane, nDim, u, w);
+    const faceProjection a(its, u, w), b(other, u, w);
+    const scalar half = halfWidth(its, other);
+    bool any = false;
+    scalar off = GREAT;
+    const auto bounds = [&](const vector2D& at)
     {
-        scalar& off = ofMinus ? minusOff : plusOff;
-        off = min(off, (ofMinus ? b : a).fromEnd(at));
-        (ofMinus ? minusOn : plusOn) = min(scalar(1), sqr(off/half));
+        any = true;
+        off = min(off, b.fromEnd(at));
     };
     if (nDim == 2)
     {
         for (label i = 0; i < 2; ++i)
         {
-            if (minus.ends[i] && b.contains(a.x[i])) bounds(true, a.x[i]);
-            if (plus.ends[i] && a.contains(b.x[i])) bounds(false, b.x[i]);
+            if (its.ends[i] && b.goesOnTo(a.x[i], half)) bounds(a.x[i]);
         }
     }
     else
     {
-        constexpr scalar ofMinus = 0, ofPlus = 1;
+        constexpr scalar ofIts = 0, ofOther = 1;
         const convexPolygon common
         (
             clipped
             (
-                a.whole(ofMinus), b.whole(ofPlus), contactOverlaps::alongEdge
+                a.whole(ofIts), b.goingOn(half, ofOther),
+                contactOverlaps::alongEdge
             )
         );
         for (label i = 0; i < common.size; ++i)
         {
-            const scalar side = common.mark[i];
-            if (side != ofMinus && side != ofPlus) continue;
-            bounds(side == ofMinus, common.p[i]);
-            bounds(side == ofMinus, common.p[(i + 1) % common.size]);
+            if (common.mark[i] != ofIts) continue;
+            bounds(common.p[i]);
+            bounds(common.p[(i + 1) % common.size]);
         }
     }
+    return any ? min(scalar(1), sqr(off/half)) : 0;
+}
+
+//- Set how much the normals of both sides count
+void setShares
+(
+    const contactFace& minus,
+    const contactFace& plus,
+    const vector& outOfPlane,
+    const label nDim,
+    overlapNormal& which
+)
+{
+    const scalar minusOn = endsOn(minus, plus, outOfPlane, nDim);
+    const scalar plusOn = endsOn(plus, minus, outOfPlane, nDim);
     which.minus = 1 - minusOn*(1 - plusOn);
     which.plus = 1 - plusOn*(1 - minusOn);
 }
@@ -159,7 +173,7 @@ Foam::overlapNormal Foam::contactOverlaps::normalOf
     overlapNormal which;
     if (nDim == 1 || !(ends(minus) || ends(plus))) return which;
 
-    setShares(minus, plus, n, outOfPlane, nDim, which);
+    setShares(minus, plus, outOfPlane, nDim, which);
     n = which.minus*minus.n - which.plus*plus.n;
     n /= mag(n);
     if (nDim == 3) setCrossing(minus, plus, which);
