@@ -243,6 +243,13 @@ def test_pairings_agree(tmp_path, figures):
         f.within("ratio of the peak forces", peaks[1]/peaks[0], 1, 0.01)
 
 
+def timesPaired(case, ranks):
+    code, log = case.attempt(ranks)
+    assert code == 0, log[-2000:]
+    line = next(x for x in log.splitlines() if x.startswith("Contact:"))
+    return int(line.split("steps in ")[1].split()[0])
+
+
 def pairings(folder, ranks, low, high, **control):
     """How often two blocks are paired, less than a face apart, that have
     velocities in widths of a face per unit of time."""
@@ -253,10 +260,7 @@ def pairings(folder, ranks, low, high, **control):
     case = SmallCase(folder, bodies, 1, preset=DEFAULT,
                      interfaces=between(pairing="nearestFace"),
                      control={"functions": {}, "writeInterval": 1, **control})
-    code, log = case.attempt(ranks)
-    assert code == 0, log[-2000:]
-    line = next(x for x in log.splitlines() if x.startswith("Contact:"))
-    return int(line.split("steps in ")[1].split()[0])
+    return timesPaired(case, ranks)
 
 
 @pytest.mark.parametrize("ranks", (1, 2))
@@ -273,6 +277,41 @@ def test_paired_again_by_what_slides(tmp_path, figures, ranks):
         f.equal("while they stop together", pairings(
             tmp_path/"c", ranks, (4, 0, 0), (4, 0, 0),
             damping={'".*"': {"coefficient": 5}}), 0)
+
+
+def searches(folder, bodies, ranks, **how):
+    """How often bodies, all of whose sides may meet, are paired in a second
+    in which they turn."""
+    case = SmallCase(folder, bodies, 1, {"all": {"surfaces": "all", **how}},
+                     preset=DEFAULT,
+                     control={"functions": {}, "writeInterval": 1})
+    return timesPaired(case, ranks)
+
+
+@pytest.mark.parametrize("ranks", (1, 2))
+def test_paired_again_by_what_is_near(tmp_path, figures, ranks):
+    """Sides of one block that are no neighbours are far from each other; and of
+    two bars that turn about a point between their ends, what is far from there
+    moves the most and meets nothing."""
+    width, angle = 1/8, 0.5
+    sides = {s: "contact" for s in ("left", "right", "bottom", "top")}
+
+    def turning(name, cells, start):
+        return Body(cells=cells, name=name, start=start, sides=sides,
+                    size=(cells[0]*width, cells[1]*width, 1),
+                    velocity=lambda X: angle*np.cross((0, 0, 1), X))
+
+    way = np.sqrt(0.5)*angle
+    alone = searches(tmp_path/"alone", turning("block", (8, 8), (-0.5, -0.5, 0)),
+                     ranks)
+    bars = searches(tmp_path/"bars", [
+        turning("low", (2, 16), (-width, -2.3*width - 15*width, 0)),
+        turning("high", (2, 16), (-width, 1.3*width, 0))], ranks, self="no")
+    with figures(f"paired again where they turn, {ranks} ranks") as f:
+        f.within("of one block / by 0.4 of a width", alone/(way/(0.4*width)), 1,
+                 0.3)
+        f.atMost("of two bars / by 0.1 of a width",
+                 bars/(17*width*angle/(0.1*width)), 0.2)
 
 
 @pytest.mark.parametrize("ranks", (1, 2))

@@ -319,13 +319,13 @@ void Foam::bodyInterface::follow
     const scalar time,
     const contactSurface::snapshot& minus,
     const contactSurface::snapshot& plus,
-    const bool active
+    const scalar nearest
 )
 {
-    pairing_->setActive(active);
+    pairing_->setNearest(nearest);
     pairing_->follow(time, minus, plus);
     resize();
-    if (!active) forget();
+    if (!pairing_->active()) forget();
 }
 
 

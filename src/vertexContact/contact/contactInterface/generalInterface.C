@@ -335,12 +335,13 @@ bool Foam::generalInterface::update(const scalar time, const bool all)
     };
 
     // Each surface that is paired again is looked at once, and all pairings
-    // learn in one exchange whether any rank has overlaps
-    boolList isOld, again, kept, overlap, wanted;
-    for (boolList* list : {&isOld, &again, &kept, &overlap})
+    // learn in one exchange whether any rank has overlaps, or how near they are
+    boolList isOld, again, kept, wanted;
+    for (boolList* list : {&isOld, &again, &kept})
     {
         list->setSize(keys.size(), false);
     }
+    scalarField nearest(keys.size(), GREAT);
     wanted.setSize(surfaces_.size(), false);
     forAll(keys, i)
     {
@@ -387,16 +388,16 @@ bool Foam::generalInterface::update(const scalar time, const bool all)
     }
     forAll(keys, i)
     {
-        overlap[i] = again[i] && parts[i].pairing().overlaps().size();
+        if (again[i]) nearest[i] = parts[i].pairing().nearest();
     }
-    everywhere(overlap, orEqOp<bool>());
+    everywhere(nearest, minEqOp<scalar>());
     forAll(keys, i)
     {
         if (again[i])
         {
             parts[i].follow
             (
-                time, minus(keys[i]), plus(keys[i]), overlap[i]
+                time, minus(keys[i]), plus(keys[i]), nearest[i]
             );
         }
         if (!isOld[i])

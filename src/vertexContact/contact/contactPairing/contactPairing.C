@@ -119,7 +119,7 @@ void Foam::contactPairing::takeOverlaps(DynamicList<contactOverlap>& overlaps)
 void Foam::contactPairing::setOverlaps(DynamicList<contactOverlap>& overlaps)
 {
     takeOverlaps(overlaps);
-    setActive(returnReduce(overlaps_.size(), sumOp<label>()) > 0);
+    setNearest(returnReduce(nearest(), minOp<scalar>()));
 }
 
 
@@ -278,7 +278,7 @@ void Foam::contactPairing::update
 )
 {
     find(minus, plus);
-    setActive(returnReduce(overlaps_.size(), sumOp<label>()) > 0);
+    setNearest(returnReduce(nearest(), minOp<scalar>()));
     follow(time, minus, plus);
 }
 

@@ -209,7 +209,7 @@ void outlines
         contactSurface::outline o;
         o.face = facei;
         o.box = boundBox(boundBox::invertedBox);
-        o.centre = point::zero;
+        o.centre = o.C = point::zero;
         for (label j = 0; j < size; ++j)
         {
             const label a = patch.cornerNode[first + j];
@@ -218,14 +218,19 @@ void outlines
             N += body.expand(patch.cornerNormal.cdata() + (first + j)*at.d);
             o.box.add(x[j]);
             o.centre += x[j];
+            o.C += X[j];
         }
         o.centre /= size;
-        scalar radiusSqr = 0;
+        o.C /= size;
+        scalar radiusSqr = 0, sqrR = 0;
         for (label j = 0; j < size; ++j)
         {
             radiusSqr = max(radiusSqr, magSqr(x[j] - o.centre));
+            sqrR = max(sqrR, magSqr(X[j] - o.C));
         }
         o.radius = std::sqrt(radiusSqr);
+        o.R = std::sqrt(sqrR);
+        o.N = N/mag(N);
         o.n = currentNormal(x, X, size, at.d, N, out);
         o.depth = body.surface(side.patchi).depth[first];
         o.width = size > 1 ? bodySurface::meanEdge(X, size) : o.depth;
@@ -364,9 +369,17 @@ Foam::contactSurface::outline::outline
     radius(f.radius()),
     n(f.n),
     width(f.width),
-    depth(f.depth[0])
+    depth(f.depth[0]),
+    C(point::zero),
+    N(f.N),
+    R(0)
 {
-    for (label i = 0; i < f.size; ++i) box.add(f.x[i]);
+    for (label i = 0; i < f.size; ++i)
+    {
+        box.add(f.x[i]);
+        C += f.X[i]/f.size;
+    }
+    for (label i = 0; i < f.size; ++i) R = max(R, mag(f.X[i] - C));
 }
 
 

@@ -93,22 +93,57 @@ bool before(const contactFace& a, const contactFace& b)
     return before(first(a), first(b));
 }
 
-//- Distance of two boxes, not more than the true one of what is in them
-scalar distance(const boundBox& a, const boundBox& b)
+//- Whether two faces of one body may ever be in contact
+bool mayEverMeet(const contactFace& a, const contactFace& b)
 {
-    scalar sum = 0;
-    for (direction i = 0; i < 3; ++i)
+    const scalar width = 0.5*(a.width + b.width);
+    point Ca(Zero), Cb(Zero);
+    scalar closest = GREAT, radius = 0, otherRadius = 0;
+    for (label i = 0; i < a.size; ++i) Ca += a.X[i]/a.size;
+    for (label i = 0; i < b.size; ++i) Cb += b.X[i]/b.size;
+    for (label i = 0; i < a.size; ++i)
     {
-        sum += sqr
-        (
-            max
-            (
-                scalar(0),
-                max(a.min()[i] - b.max()[i], b.min()[i] - a.max()[i])
-            )
-        );
+        radius = max(radius, mag(a.X[i] - Ca));
+        for (label j = 0; j < b.size; ++j)
+        {
+            closest = min(closest, mag(a.X[i] - b.X[j]));
+        }
     }
-    return std::sqrt(sum);
+    for (label j = 0; j < b.size; ++j)
+    {
+        otherRadius = max(otherRadius, mag(b.X[j] - Cb));
+    }
+    if (closest < sameNode*width) return false;
+
+    const vector between(Cb - Ca);
+    const scalar along = between & a.N;
+    const bool opposite = (a.N & b.N) < leastOfMean;
+    const bool faced = opposite && along > 0;
+
+    // Both sides of the same part of the body, whatever is between them
+    if
+    (
+        opposite && along < 0
+     && mag(between - along*a.N) < radius + otherRadius
+    )
+    {
+        return false;
+    }
+    return closest >= neighbours*width || faced;
+}
+
+//- Faces that do not: neighbours, as far as their outlines tell. No node is
+//  nearer to those of the other one than all are on the mean of squares
+bool areNeighbours
+(
+    const contactSurface::outline& a,
+    const contactSurface::outline& b
+)
+{
+    return
+        (a.N & b.N) >= leastOfMean
+     && magSqr(b.C - a.C) + sqr(a.R) + sqr(b.R)
+      < sqr(0.5*neighbours*(a.width + b.width));
 }
 
 } // End anonymous namespace
@@ -165,6 +200,64 @@ Foam::contactFaceList Foam::contactPairings::nearestFace::oppositeFaces
 }
 
 
+Foam::scalar Foam::contactPairings::nearestFace::clearance
+(
+    const UList<contactSurface::outline>& mine,
+    const UList<contactSurface::outline>& others,
+    const contactFaceList& received
+) const
+{
+    scalar least = 2*surfaceMotion::largestDistance*leastWidth_;
+    if (!mine.size() || !others.size()) return least;
+
+    const auto faceOf = [&](const contactSide& side, const globalIndex& corners)
+    {
+        return [&](const contactSurface::outline& o)
+        {
+            return contactSurface::face(side, corners, o.face, !bonded_);
+        };
+    };
+    const auto mineOf = faceOf(minus_, minusCorners_);
+    const auto otherOf = faceOf(plus_, plusCorners_);
+
+    scalar radius = 0;
+    pointField centres(others.size());
+    forAll(others, i)
+    {
+        centres[i] = others[i].centre;
+        radius = max(radius, others[i].radius);
+    }
+    const pointGrid grid(centres, 2*(radius + least));
+    for (const contactSurface::outline& a : mine)
+    {
+        const boundBox near(contactSurface::grown(a.box, radius + least));
+        grid.forEach(near, [&](const label i)
+        {
+            const contactSurface::outline& b = others[i];
+            const scalar apart = surfaceMotion::distance(a.box, b.box);
+            if (apart >= least) return;
+            if
+            (
+                oneBody_
+             && (
+                    areNeighbours(a, b)
+                 || !mayEverMeet
+                    (
+                        mineOf(a),
+                        received.size() ? received[b.face] : otherOf(b)
+                    )
+                )
+            )
+            {
+                return;
+            }
+            least = apart;
+        });
+    }
+    return least;
+}
+
+
 bool Foam::contactPairings::nearestFace::opposed
 (
     const contactFace& a,
@@ -188,55 +281,15 @@ bool Foam::contactPairings::nearestFace::opposed
 
     if (!close(a, b, n)) return false;
 
-    if (oneBody_)
-    {
-        // Which edge lies on which face is not told of one body
-        if ((a.n & b.n) > leastOfMean) return false;
-
-        // The other order of the same two
-        if (minus_ == plus_ && !before(a, b)) return false;
-
-        point Ca(Zero), Cb(Zero);
-        scalar closest = GREAT, radius = 0, otherRadius = 0;
-        for (label i = 0; i < a.size; ++i) Ca += a.X[i]/a.size;
-        for (label i = 0; i < b.size; ++i) Cb += b.X[i]/b.size;
-        for (label i = 0; i < a.size; ++i)
-        {
-            radius = max(radius, mag(a.X[i] - Ca));
-            for (label j = 0; j < b.size; ++j)
-            {
-                closest = min(closest, mag(a.X[i] - b.X[j]));
-            }
-        }
-        for (label j = 0; j < b.size; ++j)
-        {
-            otherRadius = max(otherRadius, mag(b.X[j] - Cb));
-        }
-        if (closest < sameNode*width)
-        {
-            return false;
-        }
-        const vector between(Cb - Ca);
-        const scalar along = between & a.N;
-        const bool opposite = (a.N & b.N) < leastOfMean;
-        const bool faced = opposite && along > 0;
-
-        // Both sides of the same part of the body, whatever is between them
-        if
-        (
-            opposite && along < 0
-         && mag(between - along*a.N) < radius + otherRadius
-        )
-        {
-            return false;
-        }
-        if (closest < neighbours*width && !faced)
-        {
-            return false;
-        }
-    }
-
-    return true;
+    // Of one body which edge lies on which face is not told; of a surface with
+    // itself the other order are the same two
+    return
+        !oneBody_
+     || (
+            (a.n & b.n) <= leastOfMean
+         && (!(minus_ == plus_) || before(a, b))
+         && mayEverMeet(a, b)
+        );
 }
 
 
@@ -452,7 +505,7 @@ Foam::scalar Foam::contactPairings::nearestFace::apart
     const contactSurface::snapshot& plus
 ) const
 {
-    return oneBody_ ? 0 : distance(minus.box, plus.box);
+    return oneBody_ ? 0 : surfaceMotion::distance(minus.box, plus.box);
 }
 
 
@@ -464,11 +517,8 @@ void Foam::contactPairings::nearestFace::find
 {
     const scalar search = searched();
     DynamicList<contactOverlap> overlaps(contactPairing::overlaps().size());
-    if
-    (
-        apart(minus, plus) <= search
-     && minus.mayOppose(plus, std::acos(leastOpposed))
-    )
+    clearance_ = GREAT;
+    if (apart(minus, plus) <= search)
     {
         // Only faces near the other side
         const DynamicList<contactSurface::outline> mine
@@ -498,8 +548,13 @@ void Foam::contactPairings::nearestFace::find
         {
             others = plus.in(contactSurface::grown(minus.box, search));
         }
-        const bool itself = minus_ == plus_ && !far;
-        pairFaces(mine, itself ? mine : others, received, overlaps);
+        const UList<contactSurface::outline>& all =
+            minus_ == plus_ && !far ? mine : others;
+        if (minus.mayOppose(plus, std::acos(leastOpposed)))
+        {
+            pairFaces(mine, all, received, overlaps);
+        }
+        if (overlaps.empty()) clearance_ = clearance(mine, all, received);
     }
     takeOverlaps(overlaps);
 }
@@ -518,20 +573,27 @@ void Foam::contactPairings::nearestFace::follow
     const scalar most = surfaceMotion::largestDistance*leastWidth_;
     // With the paper's scheme a couple of the gap comes of all motion; and
     // where no faces are opposite yet all motion may bring edges past each
-    // other
+    // other, as soon as it has brought them there
     const bool near = apart <= search;
     const scalar close = updateDistance_*leastWidth_;
     const scalar any =
         !near ? 0.5*(apart - search) + most
-      : active() && minus_.body->variational() ? most
-      : close;
-    const scalar along = near ? close : any;
+      : active() ? (minus_.body->variational() ? most : close)
+      : max(close, min(most, 0.5*nearestOfAll()));
+    const scalar along = near && active() ? close : any;
 
     // What both sides have in common changes nothing between them
     const auto bodies =
         contactSurface::bodyMotion::common(minus.motion, plus.motion);
     minusMotion_.start(time, along, any, bodies);
     plusMotion_.start(time, along, any, bodies);
+    if (near && !oneBody_)
+    {
+        // No face that has something opposite has nodes further away
+        const scalar furthest = search + reach_;
+        minusMotion_.setFree(plus.box, furthest);
+        plusMotion_.setFree(minus.box, furthest);
+    }
 }
 
 

@@ -71,12 +71,18 @@ void Foam::surfaceMotion::findWays
     {
         carried[i] = by[side_.body->dual().directions()[i]];
     }
+    // Of squares, if nothing is taken off
+    const bool free = free_.size();
+    const auto counted = [&](const label place, const scalar moved)
+    {
+        return free ? std::sqrt(moved) - free_[place] : moved;
+    };
     forAll(nodes(), place)
     {
         wayOf(place, carried, way);
         scalar moved = 0;
         for (label i = 0; i < d; ++i) moved += sqr(way[i]);
-        most = max(most, moved);
+        most = max(most, counted(place, moved));
     }
     along = most;
     if (along_ < any_)
@@ -92,9 +98,11 @@ void Foam::surfaceMotion::findWays
                 moved += sqr(way[i]);
                 off += way[i]*normal_[k*d + i];
             }
-            along = max(along, moved - sqr(off));
+            moved = max(moved - sqr(off), scalar(0));
+            along = max(along, counted(place[k], moved));
         }
     }
+    if (free) return;
     most = std::sqrt(most);
     along = std::sqrt(along);
 }
@@ -135,6 +143,7 @@ void Foam::surfaceMotion::start
         for (label i = 0; i < d; ++i) from_[k++] = disp[a*d + i];
     }
     if (along < any) keepNormals();
+    free_.clear();
     along_ = along;
     any_ = any;
     mostAlong_ = most_ = 0;
@@ -142,6 +151,23 @@ void Foam::surfaceMotion::start
     way_ = vector::zero;
     frame_ = bodies.velocity;
     since_ = last_ = time;
+}
+
+
+void Foam::surfaceMotion::setFree(const boundBox& box, const scalar distance)
+{
+    free_.setSize(nodes().size());
+    bool some = false;
+    forAll(nodes(), place)
+    {
+        const point x(side_.body->position(nodes()[place]));
+        free_[place] = 0.5*max
+        (
+            scalar(0), surfaceMotion::distance(boundBox(x, x), box) - distance
+        );
+        some = some || free_[place] > 0;
+    }
+    if (!some) free_.clear();
 }
 
 
