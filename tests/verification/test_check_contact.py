@@ -7,8 +7,9 @@ import numpy as np
 import pytest
 import pyvista
 
-from vertexContactTests.caseTools import execute
-from vertexContactTests.smallCases import Body, SmallCase, interface, largest
+from vertexContactTests.caseTools import DEFAULT, execute
+from vertexContactTests.smallCases import (Body, SmallCase, interface,
+                                           largest, turned)
 
 NUMBER = r"-?\d[-+.e\d]*"
 
@@ -136,6 +137,28 @@ def beforeWall(path, x, normal, cells=(4, 4)):
     body = Body(cells=cells, name="left", sides={"right": "contact"})
     return SmallCase(path, body, endTime=0.01,
                      interfaces={"contact": planeAt(x, normal)})
+
+
+@pytest.mark.parametrize("nDim", (2, 3))
+def test_gap_of_an_edge(tmp_path, figures, nDim):
+    """The gap of an edge over a floor is along the normal of the floor, as the
+    solver has it: at the middle of the part of the first corner, a quarter of
+    a cell off the edge."""
+    angle, gap, cells = 0.4, 0.01, 4
+    start, size = ((0.27, gap, 0), (1, 1, 1)) if nDim == 2 else (
+        (0.27, gap, 0.1), (1, 1, 0.3))
+    block = Body(cells=(cells,)*nDim, name="block", size=size,
+                 sides={"bottom": "contact"},
+                 moved=lambda X: start + turned(X, (0, 0, 1), angle))
+    floor = Body(cells=(1,)*nDim, name="floor", start=(-1, -1, 0),
+                 size=(3, 1, 1), sides={"top": "contact"})
+    checked = Checked(SmallCase(
+        tmp_path, [block, floor], endTime=0.01, preset=DEFAULT, interfaces={
+            "contact": interface(("block", "bottom"), ("floor", "top"),
+                                 pairing="nearestFace")}))
+    with figures(f"checkContact, edge over a floor, {nDim}D") as f:
+        f.within("least gap / true one", checked["Least gap [m]"][0]
+                 / (gap + 0.25/cells*np.sin(angle)), 1, 1e-5)
 
 
 @pytest.mark.parametrize("cells", ((4,), (4, 4), (3, 3, 3)),

@@ -259,12 +259,27 @@ void Foam::checkInterface
         {"area", "gap", "minusShare", "plusShare", "offset", "rank"}
     );
 
+    // Of edges that cross, the direction across both
+    const auto across = [&](const contactOverlap& o)
+    {
+        if (o.normal.crossing <= 0) return vector(vector::zero);
+        const auto ends = [](const contactStencil& s, const label edge)
+        {
+            return labelPair(s.corner[edge], s.corner[(edge + 1) % s.size]);
+        };
+        const labelPair m(ends(o.minus, o.normal.minusEdge));
+        const labelPair p(ends(o.plus, o.normal.plusEdge));
+        const vector d(M.position(m.second()) - M.position(m.first()));
+        const vector e(plus[p.second()].x - plus[p.first()].x);
+        return (d ^ e)/(mag(d)*mag(e));
+    };
+
     for (const contactOverlap& o : overlaps)
     {
         // Both sides at the centroid
         const surfacePlace a(contactSurface::place(M.side, o.minus));
         const cornerState b(scalarRecord::mean(o.plus, plus));
-        const overlapState at(o, a, b);
+        const overlapState at(o, a, b, across(o));
         const scalar area = at.area, gap = at.gap;
         const vector& n = at.n;
 

@@ -132,6 +132,21 @@ TEST_CASE("The state of an overlap at its centroid", "[contact][serial]")
     CHECK(facing.plusArea == 1.5);
     CHECK(facing.area == 2.25);
 
+    // An edge of what is above, on what is below, and edges that cross
+    above.n = vector(0.8, -0.6, 0);
+    contactOverlap edge(over);
+    edge.normal.plus = 0;
+    const overlapState lying(edge, below, above);
+    CHECK(lying.opposed);
+    CHECK(mag(lying.n - below.n) < 1e-15);
+    CHECK(lying.gap == Approx(0.1).epsilon(1e-15));
+    edge.normal.plus = 1;
+    edge.normal.crossing = 1;
+    const overlapState crossing(edge, below, above, vector(0, -1, 0));
+    CHECK(mag(crossing.n - below.n) < 1e-15);
+    above.n = vector(1, -0.05, 0);
+    CHECK_FALSE(overlapState(edge, below, above, vector(0, -1, 0)).opposed);
+
     above.n = vector(0, 1, 0);
     const overlapState aside(over, below, above);
     CHECK_FALSE(aside.opposed);
