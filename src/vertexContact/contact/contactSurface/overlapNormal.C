@@ -28,12 +28,12 @@ scalar halfWidth(const contactFace& minus, const contactFace& plus)
 }
 
 //- How much the ends of one face that bound what it has in common with another
-//  are on that one: no less than a half of a width from where that ends itself.
-//  They are seen along the other face's normal, which is that of contact if they
-//  are on it: along another one, an end that is inside is not above the face
-//  that it is behind. They count as long as they are next to the face, on what
-//  goes on from it: over a line between two faces that lie in one plane what
-//  both have of the normal does not change
+//  are on that one: all, if they are half of a width further from where that
+//  ends itself than they are inside. They are seen along the other face's
+//  normal, which is that of contact if they are on it: along another one, an end
+//  that is inside is not above the face that it is behind. They count as long as
+//  they are next to the face, on what goes on from it: over a line between two
+//  faces that lie in one plane what both have of the normal does not change
 scalar endsOn
 (
     const contactFace& its,
@@ -51,7 +51,8 @@ scalar endsOn
     const auto bounds = [&](const vector2D& at)
     {
         any = true;
-        off = min(off, b.fromEnd(at));
+        const scalar inside = (b.above(at) - a.above(at)) & other.n;
+        off = min(off, max(b.fromEnd(at) - max(inside, scalar(0)), scalar(0)));
     };
     if (nDim == 2)
     {
