@@ -203,6 +203,43 @@ def test_velocity_that_the_mesh_does_not_solve(tmp_path, v):
     assert (f"up to {v} m/s" in output) == (v > 0), output
 
 
+LEFT_OUT = {
+    "gravity": ({"gravity": (0, -0.1, -9)}, {}),
+    "acceleration": ({}, {"forces": {"s": {
+        "type": "uniform", "acceleration": (0, 0, -9)}}}),
+    "force": ({}, {"material": {"type": "rigid", "rho": 1,
+                                "force": (0, 0, -9)}}),
+    "moment": ({}, {"material": {"type": "rigid", "rho": 1,
+                                 "moment": (0, 9, 1)}})}
+
+
+@pytest.mark.parametrize("what", LEFT_OUT)
+def test_loads_that_the_mesh_does_not_solve(tmp_path, what):
+    """Along the direction left out, or about another one; not a word in 3D."""
+    more, body = LEFT_OUT[what]
+    for nDim in (2, 3):
+        code, output = SmallCase(
+            tmp_path/str(nDim), Body((2,)*nDim, velocity=(0.01, 0, 0), **body),
+            0.01, preset=DEFAULT, **more,
+            control={"adjustTimeStep": "no", "deltaT": 0.001}).attempt()
+        assert code == 0, output
+        assert ("of which the mesh solves" in output) == (nDim == 2), output
+
+
+@pytest.mark.parametrize("nDim", (1, 2, 3))
+def test_metal_turned_inside_out(tmp_path, nDim):
+    """Its law has no logarithm of such a state: the run ends with what it says
+    of other laws."""
+    case = SmallCase(tmp_path, Body(
+        (3,)*nDim, material={**RUBBER, "type": "HenckyVonMises", "tauY": 0.05},
+        velocity=(-20, 0, 0), sides={"left": condition(
+            "fixedVelocity", velocity=(0, 0, 0))}), 1, preset=DEFAULT,
+        control={"adjustTimeStep": "no", "deltaT": 0.02})
+    code, output = case.attempt()
+    assert code == 1, output
+    assert "has a Jacobian that is not positive" in output
+
+
 def test_points_at_one_place(tmp_path):
     """Two points of a cell that coincide are named, before the first step."""
     def collapsed(X):

@@ -122,6 +122,27 @@ def shaken(**more):
                  velocity=lambda X: 0.1*X[:, 2:]*(X*(1, 0.5, 0)), **more)
 
 
+@pytest.mark.parametrize("control", (
+    {"maxCo": 0.9}, {"maxCo": 0.9, "massScaling": {"body": {
+        "factor": 4, "force": "yes"}}}), ids=("free", "scaled"))
+def test_probe_tells_the_field(tmp_path, figures, control):
+    """A velocity at the time of the state, and not that of the leapfrog half a
+    step before."""
+    g, end = 100, 0.1
+    case = SmallCase(
+        tmp_path, Body((10,), velocity=(1, 0, 0), material=material(LAWS[1])),
+        end, gravity=(g, 0, 0), preset=DEFAULT, control=control,
+        probes={"tip": ("body", (1, 0, 0))}).run()
+    _, u = case.probe("tip", "pointU")
+    tip = np.argmax(case.X()[:, 0])
+    with figures(f"velocity of a probe, {list(control)}") as f:
+        f.within("that of the field", u.reshape(len(u), -1)[-1, 0],
+                 case.at("pointU")[tip, 0], 1e-12)
+        if "massScaling" not in control:
+            f.within("that of free fall", u.reshape(len(u), -1)[-1, 0],
+                     1 + g*end, 1e-9)
+
+
 def test_uniform_body_force(tmp_path, figures):
     """A uniform body force is the gravity of constant/g, bit by bit, and two
     of half its size are, too."""

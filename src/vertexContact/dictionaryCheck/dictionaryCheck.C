@@ -236,6 +236,23 @@ void Foam::dictionaryCheck::require
 }
 
 
+void Foam::dictionaryCheck::warnLeftOut
+(
+    const string& where,
+    const word& keyword,
+    const vector& given,
+    const vector& used
+)
+{
+    if (mag(given - used) > SMALL*mag(given))
+    {
+        WarningInFunction
+            << where.c_str() << ": keyword '" << keyword << "' is " << given
+            << ", of which the mesh solves " << used << " only" << endl;
+    }
+}
+
+
 void Foam::dictionaryCheck::unknownModel
 (
     const dictionary& dict,

@@ -9,6 +9,7 @@
 #include "rigidMaterial.H"
 #include "obstacleMotion.H"
 #include "dictionaryCheck.H"
+#include "polyMesh.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -354,6 +355,15 @@ Foam::rigidBody::rigidBody
     if (hasForce_) force_ = timeValue<vector>("force", dict);
     hasMoment_ = dict.found("moment");
     if (hasMoment_) moment_ = timeValue<vector>("moment", dict);
+
+    const scalar start = dual.mesh().time().value();
+    const vector f(hasForce_ ? force_(start) : vector(Zero));
+    const vector m(hasMoment_ ? moment_(start) : vector(Zero));
+    dictionaryCheck::warnLeftOut
+    (
+        dict.name(), "force", f, dual.projected(f)
+    );
+    dictionaryCheck::warnLeftOut(dict.name(), "moment", m, dual.turning(m));
 }
 
 

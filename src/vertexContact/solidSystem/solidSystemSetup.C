@@ -81,6 +81,14 @@ void Foam::solidSystem::readGravity()
         {
             body.setGravity(g.value());
         }
+        if (bodies_.size())
+        {
+            dictionaryCheck::warnLeftOut
+            (
+                gravityIO.objectPath(), "value", g.value(),
+                bodies_[0].dual().projected(g.value())
+            );
+        }
     }
 }
 

@@ -28,6 +28,7 @@ Usage
 #include "bodyForce.H"
 #include "dictionaryCheck.H"
 #include "timeValue.H"
+#include "polyMesh.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
@@ -75,7 +76,13 @@ public:
     :
         bodyForce(checked(dict), dual),
         acceleration_("acceleration", dict)
-    {}
+    {
+        const vector first(acceleration_(dual.mesh().time().value()));
+        dictionaryCheck::warnLeftOut
+        (
+            dict.name(), "acceleration", first, dual.projected(first)
+        );
+    }
 
     virtual void add(const scalar time, scalarField& acceleration) const
     {

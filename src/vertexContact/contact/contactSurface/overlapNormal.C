@@ -30,10 +30,11 @@ scalar halfWidth(const contactFace& minus, const contactFace& plus)
 //- How much the ends of one face that bound what it has in common with another
 //  are on that one: all, if they are half of a width further from where that
 //  ends itself than they are inside. They are seen along the other face's
-//  normal, which is that of contact if they are on it: along another one, an end
-//  that is inside is not above the face that it is behind. They count as long as
-//  they are next to the face, on what goes on from it: over a line between two
-//  faces that lie in one plane what both have of the normal does not change
+//  normal, which is that of contact if they are on it: along another one, an
+//  end that is inside is not above the face that it is behind. They count as
+//  long as they are next to the face, on what goes on from it: over a line
+//  between two faces that lie in one plane what both have of the normal does
+//  not change
 scalar endsOn
 (
     const contactFace& its,

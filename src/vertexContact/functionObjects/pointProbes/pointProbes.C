@@ -31,10 +31,13 @@ Foam::List<Foam::scalar> Foam::functionObjects::pointProbes::values
 
     if (field == "pointU")
     {
-        return listOf
-        (
-            body_->expand(s.lm.cdata() + node*d)/body_->material().rho()
-        );
+        // That of the fields: momenta of the leapfrog are half a step back
+        vector v(Zero);
+        for (label k = 0; k < d; ++k)
+        {
+            v[body_->dual().directions()[k]] = body_->velocity(node, k);
+        }
+        return listOf(v);
     }
     if (field == "pointD")
     {

@@ -126,7 +126,7 @@ void Foam::HenckyVonMises::stressLoop
         }
         const SolidTensor<D> T = trial.b.compose(tau);
         const scalar naturalJ = stretched ? J*initial().J(i) : J;
-        const scalar SJ = kappa()*std::log(naturalJ)/naturalJ;
+        const scalar SJ = kappa()*safeLog(naturalJ)/naturalJ;
         const scalar perDetF = 1/detF;
         for (int a = 0; a < D; ++a)
         {
@@ -259,7 +259,7 @@ Foam::scalar Foam::HenckyVonMises::energyOf
     const scalar J = naturalJ<stretched, D>(s, i);
     scalar sum = 0;
     for (int k = 0; k < 3; ++k) sum += sqr(trial.deviator[k]);
-    return perMesh<stretched>(mu()*sum + 0.5*kappa()*sqr(std::log(J)), i);
+    return perMesh<stretched>(mu()*sum + 0.5*kappa()*sqr(safeLog(J)), i);
 }
 
 
@@ -276,7 +276,7 @@ Foam::tensor Foam::HenckyVonMises::CauchyOfDim
     scalar tau[3];
     for (int k = 0; k < 3; ++k)
     {
-        tau[k] = 2*mu()*trial.deviator[k] + kappa()*std::log(J);
+        tau[k] = 2*mu()*trial.deviator[k] + kappa()*safeLog(J);
     }
     const SolidTensor<D> T = trial.b.compose(tau);
 
@@ -501,7 +501,7 @@ void Foam::HenckyVonMises::waveFactorsOf
             {
                 least = min
                 (
-                    least, 2*mu()*trial.deviator[k] + kappa()*std::log(J)
+                    least, 2*mu()*trial.deviator[k] + kappa()*safeLog(J)
                 );
             }
             // J0 times the square of the Jacobian from the mesh
