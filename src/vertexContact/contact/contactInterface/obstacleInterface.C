@@ -518,7 +518,7 @@ void Foam::obstacleInterface::find(const scalar time)
     if (planes_.empty()) return;
 
     motion_.setTime(time);
-    found_ = time;
+    forceTime_ = time;
     followEdges();
     if (side_.body->variational()) findForces();
 }
@@ -593,7 +593,7 @@ void Foam::obstacleInterface::solve(const scalar time, const bool firstStage)
 }
 
 
-Foam::vector Foam::obstacleInterface::way
+Foam::vector Foam::obstacleInterface::stepVelocity
 (
     const label node,
     const septernion& begin,
@@ -621,8 +621,8 @@ void Foam::obstacleInterface::slide(const scalar middle, const scalar deltaT)
     septernion begin, end;
     if (moves)
     {
-        begin = motion_.poseAt(found_);
-        end = motion_.poseAt(found_ + deltaT);
+        begin = motion_.poseAt(forceTime_);
+        end = motion_.poseAt(forceTime_ + deltaT);
     }
     const labelList& cornerNode =
         body.corners(side_.patchi).geometry.cornerNode;
@@ -637,10 +637,13 @@ void Foam::obstacleInterface::slide(const scalar middle, const scalar deltaT)
         if (law().sticks()) sumFriction(p, mean, middle);
         if (!remembers) continue;
 
-        const vector its(moves ? way(node, begin, end, deltaT) : p.plus.v);
+        const vector v
+        (
+            moves ? stepVelocity(node, begin, end, deltaT) : p.plus.v
+        );
         body.contact().slide.add
         (
-            node, slideBy(p, its - body.stepVelocity(node), deltaT)
+            node, slideBy(p, v - body.stepVelocity(node), deltaT)
         );
     }
 }

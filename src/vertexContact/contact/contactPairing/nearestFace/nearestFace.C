@@ -146,6 +146,23 @@ bool areNeighbours
       < sqr(0.5*neighbours*(a.width + b.width));
 }
 
+pointField centresOf(const UList<contactSurface::outline>& outlines)
+{
+    pointField centres(outlines.size());
+    forAll(outlines, i) centres[i] = outlines[i].centre;
+    return centres;
+}
+
+scalar largestRadius(const UList<contactSurface::outline>& outlines)
+{
+    scalar radius = 0;
+    for (const contactSurface::outline& o : outlines)
+    {
+        radius = max(radius, o.radius);
+    }
+    return radius;
+}
+
 } // End anonymous namespace
 
 
@@ -210,24 +227,8 @@ Foam::scalar Foam::contactPairings::nearestFace::clearance
     scalar least = 2*surfaceMotion::largestDistance*leastWidth_;
     if (!mine.size() || !others.size()) return least;
 
-    const auto faceOf = [&](const contactSide& side, const globalIndex& corners)
-    {
-        return [&](const contactSurface::outline& o)
-        {
-            return contactSurface::face(side, corners, o.face, !bonded_);
-        };
-    };
-    const auto mineOf = faceOf(minus_, minusCorners_);
-    const auto otherOf = faceOf(plus_, plusCorners_);
-
-    scalar radius = 0;
-    pointField centres(others.size());
-    forAll(others, i)
-    {
-        centres[i] = others[i].centre;
-        radius = max(radius, others[i].radius);
-    }
-    const pointGrid grid(centres, 2*(radius + least));
+    const scalar radius = largestRadius(others);
+    const pointGrid grid(centresOf(others), 2*(radius + least));
     for (const contactSurface::outline& a : mine)
     {
         const boundBox near(contactSurface::grown(a.box, radius + least));
@@ -243,8 +244,16 @@ Foam::scalar Foam::contactPairings::nearestFace::clearance
                     areNeighbours(a, b)
                  || !mayEverMeet
                     (
-                        mineOf(a),
-                        received.size() ? received[b.face] : otherOf(b)
+                        contactSurface::face
+                        (
+                            minus_, minusCorners_, a.face, !bonded_
+                        ),
+                        received.size()
+                      ? received[b.face]
+                      : contactSurface::face
+                        (
+                            plus_, plusCorners_, b.face, !bonded_
+                        )
                     )
                 )
             )
@@ -303,14 +312,8 @@ void Foam::contactPairings::nearestFace::pairFaces
 {
     if (!mine.size() || !others.size()) return;
 
-    scalar radius = 0;
-    pointField centres(others.size());
-    forAll(others, i)
-    {
-        centres[i] = others[i].centre;
-        radius = max(radius, others[i].radius);
-    }
-    const pointGrid grid(centres, 2*(radius + reach_));
+    const scalar radius = largestRadius(others);
+    const pointGrid grid(centresOf(others), 2*(radius + reach_));
 
     const vector out(contactSurface::outOfPlane(minus_));
     const label nDim = minus_.body->dual().nDim();
