@@ -262,6 +262,54 @@ def test_states_that_none_can_have(tmp_path, what, CpInv, named):
         assert name in message, message
 
 
+@pytest.mark.parametrize("with_", ("nothing", "displacement", "F0"))
+def test_elastic_strain(tmp_path, figures, with_):
+    """In place of CpInv, which is made to it whatever the deformation is: its
+    deviator makes the stress, and its trace counts for nothing."""
+    volume = {"nothing": 1, "displacement": 1.02**2, "F0": 0.97}[with_]
+    body = block(right=HELD, cells=6)
+    body.sides = {side: "symmetryPlane" for side in MIRRORS}
+    if with_ == "displacement":
+        body.displacement = lambda X: 0.02*X*(1, 1, 0)
+    case = SmallCase(tmp_path, body, 1e-3, preset=DEFAULT)
+    n = len(case.points("body"))
+    strain = (0.25, 0.05, 0, -0.15, 0, -0.1)        # xx xy xz yy yz zz
+    added = 0.07*np.array((1, 0, 0, 1, 0, 1))
+    case.writePointField(body, "elasticStrain", "[0 0 0 0 0 0 0]",
+                         np.tile(strain + added, (n, 1)), "symmTensor")
+    if with_ == "F0":
+        case.writePointField(body, "F0", "[0 0 0 0 0 0 0]", np.tile(
+            (0.97, 0.2, 0, 0, 1, 0, 0, 0, 1), (n, 1)), "tensor")
+    case.run()
+    q = 2*MU*np.sqrt(1.5*(0.25**2 + 0.15**2 + 0.1**2 + 2*0.05**2))/volume
+    with figures(f"elastic strain, with {with_}") as f:
+        f.atMost("stress of von Mises less the closed form, inside / that",
+                 largest(case.at("sigmaEq")[case.X()[:, 0] == 0.5] - q)/q,
+                 1e-3)
+
+
+def test_elastic_strain_that_has_no_place(tmp_path):
+    """Not with CpInv, and not of a law that does not flow."""
+    for name, material, fields in (
+            ("both", ELASTIC, ("CpInv", "elasticStrain")),
+            ("rubber", {"type": "neoHookean", "rho": 1, "E": 1, "nu": 0.3},
+             ("elasticStrain",))):
+        body = block(material=material)
+        case = SmallCase(tmp_path/name, body, 1.0, preset=DEFAULT)
+        n = len(case.points("body"))
+        for field in fields:
+            case.writePointField(
+                body, field, "[0 0 0 0 0 0 0]", np.tile(
+                    np.array((1, 0, 0, 1, 0, 1))*(field == "CpInv"), (n, 1)),
+                "symmTensor")
+        code, output = case.attempt()
+        assert code != 0, output
+        message = output[output.index("--> FOAM FATAL IO ERROR"):]
+        for word in ("elasticStrain", *(
+                ("CpInv",) if name == "both" else ("neoHookean", "F0"))):
+            assert word in message, message
+
+
 def test_beyond_yield_by_a_displacement(tmp_path, figures):
     """With a displacement, as mapState gives it, what is beyond the yield
     stress flows in the first step."""

@@ -9,9 +9,10 @@ from vertexContactTests.caseTools import Tutorial, rise
 from vertexContactTests.contactScenes import boxOnBumper, released
 from vertexContactTests.defaultCases import (CLAMPED, barAgainst, checkShock,
                                              defaultCase, rough)
-from vertexContactTests.smallCases import (ELASTIC, FLOOR, Body, GmshBody,
-                                           condition, coulomb, distorted,
-                                           interface, largest, table)
+from vertexContactTests.smallCases import (ELASTIC, FLOOR, RUBBER, Body,
+                                           GmshBody, condition, coulomb,
+                                           distorted, interface, largest,
+                                           table)
 
 scenes = pytest.mark.scenes
 
@@ -171,6 +172,25 @@ def test_checkerboard(tmp_path, figures, cells):
     with figures(f"scenes, checkerboard in {cells}") as f:
         f.atLeast("strain energy / (E amplitude^2)",
                   run.energies["total:strain"][0]/a**2, 0.01)
+
+
+def test_metal_that_does_not_flow(tmp_path, figures):
+    """Perfectly plastic, and loaded on one side by a hundredth of what it
+    bears: it is as stiff as rubber of the same moduli, and comes to rest."""
+    runs = {}
+    for law, more in (("neoHookean", {}),
+                      ("HenckyVonMises", {"tauY": 1.0, "Hardening": 0})):
+        runs[law] = defaultCase(tmp_path/law, Body(
+            (4, 4, 4), material={**RUBBER, "type": law, **more},
+            sides={**CLAMPED, "right": condition(
+                "traction", traction=(0, 0.003, 0))}), 120.0, {
+                    "damping": {"body": {"coefficient": 0.3}}}, 20).run()
+    rubber, metal = (run.at("pointD") for run in runs.values())
+    with figures("scenes, metal that does not flow") as f:
+        f.atMost("displacement less that of rubber / that, largest",
+                 largest(metal - rubber)/largest(rubber), 0.01)
+        f.atMost("velocity at the end / speed of waves",
+                 largest(runs["HenckyVonMises"].at("pointU")), 1e-7)
 
 
 # Impacts of elastic bodies

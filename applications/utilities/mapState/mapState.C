@@ -11,13 +11,16 @@ Description
     on any mesh of theirs: as one with more cells, to begin under a preload.
 
     Of each region that both cases have, as far as the other has them: pointU,
-    with the boundary conditions of this case, pointD, F0, CpInv (with
-    determinant 1 again), epsilonPEq, pointT, and contactSlide, which is what
-    friction remembers. What else a run keeps (contactStatus, acceleration)
-    begins anew. They go from point to point (pointMapping) in the
-    reference configuration, that of the meshes as they were made. The solver
-    makes momentum and F anew. Regions that only this case has begin as they
-    would.
+    with the boundary conditions of this case, pointD, F0, epsilonPEq, pointT,
+    and contactSlide, which is what friction remembers. Of a metal that has
+    flowed the elastic strain (elasticStrain), to which the solver makes CpInv:
+    where the other case has F, for both; else its CpInv, with determinant 1
+    again. What else a run keeps (contactStatus, acceleration) begins anew.
+
+    They go from point to point (pointMapping) in the reference configuration,
+    that of the meshes as they were made, displacements with their gradient F -
+    I where the other case has it. The solver makes momentum and F anew. Regions
+    that only this case has begin as they would.
 
 Usage
     \b mapState <case> [-sourceTime <time>]
@@ -50,6 +53,8 @@ SourceFiles
 #include "regionFiles.H"
 #include "systemChecks.H"
 #include "dictionaryCheck.H"
+#include "elasticStrain.H"
+#include "emptyPolyPatch.H"
 #include "syncTools.H"
 #include "writtenTimes.H"
 #include "fileOperation.H"
@@ -203,6 +208,33 @@ bool readValues(const word& name, const polyMesh& mesh, Field<Type>& values)
 }
 
 
+//- Write values at the points of this case. \return the name
+template<class Type>
+word writeValues
+(
+    const word& name,
+    const dimensionSet& dims,
+    const polyMesh& target,
+    const Field<Type>& values
+)
+{
+    GeometricField<Type, pointPatchField, pointMesh> field
+    (
+        IOobject
+        (
+            name, target.time().timeName(), target,
+            IOobject::NO_READ, IOobject::NO_WRITE, false
+        ),
+        pointMesh::New(target),
+        dimensioned<Type>(name, dims, Zero)
+    );
+    field.primitiveFieldRef() = values;
+    normalise(name, field.primitiveFieldRef());
+    field.write();
+    return name;
+}
+
+
 //- Map a field, if the other case has it. \return its name, or nothing
 template<class Type>
 word mapField
@@ -219,21 +251,126 @@ word mapField
         const alone here;
         if (!readValues(name, source, values)) return word();
     }
+    return writeValues(name, dims, target, mapping.map(values));
+}
 
-    GeometricField<Type, pointPatchField, pointMesh> field
-    (
-        IOobject
+
+//- Leave out of a displacement what alternates from point to point. Its own
+//  mesh hardly sees it, and where metal flows it costs next to nothing; a finer
+//  mesh would make strains of it.
+//  Points in a surface move with those of the surface, its edges and corners
+//  not at all.
+//  \param gradient  of the displacement, as points see it
+void smooth
+(
+    vectorField& displacement,
+    const tensorField& gradient,
+    const polyMesh& mesh
+)
+{
+    constexpr label inside = -1, manySides = -2;
+    labelList side(mesh.nPoints(), inside);
+    for (const polyPatch& pp : mesh.boundaryMesh())
+    {
+        if (isA<emptyPolyPatch>(pp)) continue;
+        for (const label p : pp.meshPoints())
+        {
+            side[p] = side[p] == inside ? pp.index() : manySides;
+        }
+    }
+
+    // Twice as far as a point is off, with the other sign
+    vectorField jumps(mesh.nPoints(), Zero);
+    labelList n(mesh.nPoints(), Zero);
+    const Vector<label>& solved = mesh.solutionD();
+    for (const edge& e : mesh.edges())
+    {
+        vector r(e.vec(mesh.points()));
+        const scalar length = mag(r);
+        for (direction i = 0; i < 3; ++i) if (solved[i] < 0) r[i] = 0;
+        if (mag(r) < 0.5*length) continue;
+        const vector jump
         (
-            name, target.time().timeName(), target,
-            IOobject::NO_READ, IOobject::NO_WRITE, false
-        ),
-        pointMesh::New(target),
-        dimensioned<Type>(name, dims, Zero)
+            displacement[e.second()] - displacement[e.first()]
+          - 0.5*((gradient[e.first()] + gradient[e.second()]) & r)
+        );
+        for (const label k : {0, 1})
+        {
+            const label p = e[k], other = e[1 - k];
+            if (side[p] != inside && side[p] != side[other]) continue;
+            jumps[p] += k == 0 ? jump : -jump;
+            ++n[p];
+        }
+    }
+    forAll(displacement, p)
+    {
+        if (side[p] != manySides && n[p]) displacement[p] += 0.5*jumps[p]/n[p];
+    }
+}
+
+
+//- Whether the elastic strain of a region of the other case can be had
+bool hasElasticStrain(const polyMesh& source)
+{
+    return has("F", source) && has("CpInv", source);
+}
+
+
+//- The displacement, if the other case has it: with its gradient, if that is
+//  there. \return its name, or nothing
+word mapDisplacement
+(
+    const pointMapping& mapping,
+    const polyMesh& source,
+    const polyMesh& target
+)
+{
+    vectorField values;
+    tensorField gradient;
+    {
+        const alone here;
+        if (!readValues("pointD", source, values)) return word();
+        readValues("F", source, gradient);
+        gradient -= tensor(tensor::I);
+        if (hasElasticStrain(source)) smooth(values, gradient, source);
+    }
+    return writeValues
+    (
+        "pointD", dimLength, target,
+        gradient.empty()
+      ? mapping.map(values)
+      : mapping.map(values, gradient, source.points(), target.points())
     );
-    field.primitiveFieldRef() = mapping.map(values);
-    normalise(name, field.primitiveFieldRef());
-    field.write();
-    return name;
+}
+
+
+//- The elastic strain of a metal, from F and CpInv of the other case
+word mapElasticStrain
+(
+    const pointMapping& mapping,
+    const polyMesh& source,
+    const polyMesh& target
+)
+{
+    symmTensorField strain;
+    {
+        const alone here;
+        tensorField F, F0;
+        readValues("F", source, F);
+        readValues("CpInv", source, strain);
+        readValues("F0", source, F0);
+        forAll(strain, i)
+        {
+            strain[i] = elasticStrain::of
+            (
+                F0.empty() ? F[i] : F[i] & F0[i], strain[i]
+            );
+        }
+    }
+    return writeValues
+    (
+        "elasticStrain", dimless, target, mapping.map(strain)
+    );
 }
 
 } // End anonymous namespace
@@ -339,6 +476,7 @@ int main(int argc, char *argv[])
         );
         wordList missing({"lm"});
         bool moves = false;
+        word instead;
         {
             const alone here;
             sources.set
@@ -368,16 +506,21 @@ int main(int argc, char *argv[])
                  || sharedFile(field, sources[i]).size();
             };
             moves = theirs("pointU");
+            const bool strained = hasElasticStrain(sources[i]);
+            if (strained) instead = "CpInv";
             for
             (
                 const word field :
                 {
-                    "pointD", "F0", "CpInv", "epsilonPEq", "pointT",
-                    "contactSlide"
+                    "pointD", "F0", "CpInv", "elasticStrain", "epsilonPEq",
+                    "pointT", "contactSlide"
                 }
             )
             {
-                if (!theirs(field)) missing.append(field);
+                if (!(theirs(field) || (strained && field == "elasticStrain")))
+                {
+                    missing.append(field);
+                }
             }
         }
         if (!moves)
@@ -395,6 +538,13 @@ int main(int argc, char *argv[])
               : "the other case has none"
             );
         }
+        if (instead.size() && has(instead, targets[i]))
+        {
+            refuse
+            (
+                start/name/instead, "elasticStrain is mapped in place of it"
+            );
+        }
     }
     forAll(names, i)
     {
@@ -404,9 +554,11 @@ int main(int argc, char *argv[])
         const polyMesh& source = sources[i];
         const pointMapping& mapping = mappings[i];
         vectorField velocity;
+        bool strained = false;
         {
             const alone here;
             readValues("pointU", source, velocity);
+            strained = hasElasticStrain(source);
         }
         pointVectorField pointU
         (
@@ -433,9 +585,14 @@ int main(int argc, char *argv[])
         (
             const word& field :
             {
-                map(vector(Zero), "pointD", dimLength),
+                mapDisplacement(mapping, source, target),
                 map(tensor(Zero), "F0", dimless),
-                map(symmTensor(Zero), "CpInv", dimless),
+                strained
+              ? mapElasticStrain(mapping, source, target)
+              : map(symmTensor(Zero), "CpInv", dimless),
+                strained
+              ? word()
+              : map(symmTensor(Zero), "elasticStrain", dimless),
                 map(scalar(0), "epsilonPEq", dimless),
                 map(scalar(0), "pointT", dimTemperature),
                 map(vector(Zero), "contactSlide", dimLength)

@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "deformableBody.H"
+#include "elasticStrain.H"
 #include "fileError.H"
 #include "regionFiles.H"
 
@@ -75,6 +76,30 @@ void Foam::deformableBody::readKinematics
     // What a run has written, and what displacements have strained, is at its
     // yield stress, or beyond it by what the first step flows
     if (material_->plastic()) readPlasticState(!hasF && !hasDisplacement);
+    else refusePlasticState();
+}
+
+
+void Foam::deformableBody::refusePlasticState() const
+{
+    for (const word name : {"CpInv", "elasticStrain"})
+    {
+        // Those of the case are for the regions that can have them
+        fileName file;
+        if
+        (
+            readIfPresent<symmTensor>(name, dimless, &file).valid()
+         && file != regionFiles::sharedField(name, mesh_)
+        )
+        {
+            FatalFileErrorInFunction(file)
+                << "The field " << name << ", of a metal that flows, does not "
+                << "go with type " << material_->type() << " of region '"
+                << name_ << "'." << nl
+                << "Remove it, or give a stretch by the field F0"
+                << exit(FatalIOError);
+        }
+    }
 }
 
 
@@ -89,6 +114,15 @@ void Foam::deformableBody::readPlasticState(const bool undeformed)
     // Also where this processor has no node of the body
     fileName CFile;
     const auto C = readIfPresent<symmTensor>("CpInv", dimless, &CFile);
+    fileName elasticFile;
+    const auto elastic =
+        readIfPresent<symmTensor>("elasticStrain", dimless, &elasticFile);
+    if (C.valid() && elastic.valid())
+    {
+        FatalFileErrorInFunction(elasticFile)
+            << "Field 'elasticStrain': there is CpInv, too, and either makes "
+            << "the other. Give one of them" << exit(FatalIOError);
+    }
     const auto strain = readIfPresent<scalar>("epsilonPEq", dimless);
     if (material_->initialTemperature() > 0)
     {
@@ -108,6 +142,16 @@ void Foam::deformableBody::readPlasticState(const bool undeformed)
     }
 
     const label out = d == 2 ? 3 - dir[0] - dir[1] : (dir[0] + 1) % 3;
+    const auto store = [&](const label a, const symmTensor& CpInv)
+    {
+        const tensor full(CpInv);
+        scalar* p = s.Cpi.data() + a*s.strideCpi;
+        for (label i = 0; i < d; ++i)
+        {
+            for (label j = i; j < d; ++j) *p++ = full[3*dir[i] + dir[j]];
+        }
+        if (d < 3) *p = full[4*out];
+    };
     for (label a = 0; a < n; ++a)
     {
         if (C.valid())
@@ -128,13 +172,23 @@ void Foam::deformableBody::readPlasticState(const bool undeformed)
                     << "Give changes of the volume by the field F0"
                     << exit(FatalIOError);
             }
-            const tensor full(given);
-            scalar* p = s.Cpi.data() + a*s.strideCpi;
-            for (label i = 0; i < d; ++i)
+            store(a, given);
+        }
+        else if (elastic.valid())
+        {
+            tensor F(deformationGradient(a));
+            if (material_->initial().on())
             {
-                for (label j = i; j < d; ++j) *p++ = full[3*dir[i] + dir[j]];
+                F = F & inSpace(material_->initial().value(a));
             }
-            if (d < 3) *p = full[4*out];
+            store
+            (
+                a,
+                elasticStrain::plasticPart
+                (
+                    F, elastic().primitiveField()[point[a]]
+                )
+            );
         }
         if (strain.valid())
         {
@@ -142,11 +196,14 @@ void Foam::deformableBody::readPlasticState(const bool undeformed)
         }
     }
 
+    material_->findJumpShares(s);
+
     // The file, also where this processor has no node of the body
-    fileName file(CFile);
     const bool stretched = material_->initial().on();
+    fileName file(elastic.valid() ? elasticFile : CFile);
     if (stretched) readIfPresent<tensor>("F0", dimless, &file);
-    for (label a = 0; a < n && undeformed && (stretched || C.valid()); ++a)
+    const bool strained = stretched || C.valid() || elastic.valid();
+    for (label a = 0; a < n && undeformed && strained; ++a)
     {
         const Pair<scalar> stress(material_->yieldState(s, a));
         if
@@ -162,7 +219,13 @@ void Foam::deformableBody::readPlasticState(const bool undeformed)
             << "yield stress: that of von Mises (Kirchhoff) is "
             << stress.first() << " Pa at " << mesh_.points()[point[a]]
             << ", at most " << stress.second() << " Pa are valid." << nl
-            << "Give less of " << (stretched ? "the stretch F0" : "CpInv - I")
+            << "Give less of "
+            <<
+            (
+                elastic.valid() ? "elasticStrain"
+              : stretched ? "the stretch F0"
+              : "CpInv - I"
+            )
             << ", or earlier flow by the field epsilonPEq"
             << exit(FatalIOError);
     }

@@ -80,6 +80,9 @@ void Foam::conservedState::keepFlow()
     flow.increment.setSize(nNodes, Zero);
     flow.work.setSize(nNodes, Zero);
     flow.Cpi.setSize(Cpi.size(), Zero);
+    if (nDim < 2) return;
+    flow.jumpShare.setSize(nNodes, scalar(1));
+    flow.jumpEnergy.setSize(nNodes, Zero);
 }
 
 
@@ -124,6 +127,7 @@ std::size_t Foam::conservedState::bytes() const
             lm.size() + disp.size() + F.size() + H.size() + J.size()
           + Cpi.size() + epsilonPEq.size() + temperature.size()
           + flow.increment.size() + flow.work.size() + flow.Cpi.size()
+          + flow.jumpShare.size() + flow.jumpEnergy.size()
         );
 }
 

@@ -152,6 +152,11 @@ Foam::keywordList Foam::regionFiles::startFields()
             "HenckyVonMises"
         },
         {
+            "elasticStrain", "-", "symmTensor",
+            "in place of CpInv, which is made to it: logarithmic, of which the "
+            "deviator counts"
+        },
+        {
             "epsilonPEq", "-", "scalar",
             "equivalent plastic strain; HenckyVonMises"
         },

@@ -82,6 +82,10 @@ class variationalKernelTemplate<D, finite>::correctionSums
         const scalar* rush_;
         const scalar half_;
         const scalar jumpModulus_;
+
+        //- Of nodes, or nothing
+        const scalar* share_;
+
         scalar* correction_;
         scalar* sensor_;
 
@@ -158,6 +162,19 @@ class variationalKernelTemplate<D, finite>::correctionSums
             return edgeStiffness(jumpModulus_, CC, rr);
         }
 
+        //- The mean share of both nodes with which jumps resist, of edges that
+        //  there are
+        __attribute__((always_inline))
+        inline lanes shares(const label* ends, const int n) const
+        {
+            lanes both{};
+            for (int l = 0; l < n; ++l)
+            {
+                both[l] = 0.5*(share_[ends[2*l]] + share_[ends[2*l + 1]]);
+            }
+            return both;
+        }
+
 
 public:
 
@@ -168,6 +185,12 @@ public:
         rush_(x.acceleration.cdata()),
         half_(0.5*x.beta),
         jumpModulus_(x.jumpModulus),
+        share_
+        (
+            d.state.flow.jumpShare.size()
+          ? d.state.flow.jumpShare.cdata()
+          : nullptr
+        ),
         correction_(x.adjoint.data()),
         sensor_(x.sensor.data())
     {}
@@ -271,7 +294,8 @@ public:
         scalar* motion
     )
     {
-        const lanes k = stiffness(C, r);
+        const lanes whole = stiffness(C, r);
+        const lanes k = share_ ? shares(ends, n)*whole : whole;
         lanes of[8], sum[8], difference[8], dx[D], dv[D];
         lanesOf(of, [&](const int l)
         {
@@ -296,17 +320,15 @@ public:
         }
 
         // What is added to columns, and to forces and squares
-        lanes out[8] = {}, change[D];
+        lanes out[8] = {}, change[D], square{};
         for (int i = 0; i < D; ++i)
         {
             change[i] = 0.5*(sum[D + i]*dx[0] + sum[sA + D + i]*dx[1]);
-            const lanes force =
-                k
-               *(
-                    of[atU + i]
-                  - 0.5*(sum[i]*laneAt(r, 0) + sum[sA + i]*laneAt(r, 1))
-                );
-            out[D + i] = -0.5*force;
+            const lanes jump =
+                of[atU + i]
+              - 0.5*(sum[i]*laneAt(r, 0) + sum[sA + i]*laneAt(r, 1));
+            square += jump*jump;
+            out[D + i] = -0.5*(k*jump);
             if constexpr (corrects)
             {
                 out[i] =
@@ -320,6 +342,19 @@ public:
         const edgeMotion<D, lanes> m(dx, dv, change);
         store(motion, m);
         see(m);
+        lanes toA[8];
+        if constexpr (corrects)
+        {
+            for (int j = 0; j < D; ++j)
+            {
+                for (int i = 0; i < D; ++i)
+                {
+                    toA[j*sA + i] = out[i]*laneAt(C, j);
+                    toA[j*sA + second + i] = out[D + i]*laneAt(r, j);
+                }
+            }
+        }
+        out[atJumps] = 0.25*whole*square;
         out[4] = m.jj;
         out[5] = m.mm;
         out[6] = haste(of + atU + 2*D, dx);
@@ -329,15 +364,6 @@ public:
         alignas(registerBytes) row<8> columns[nLanes];
         if constexpr (corrects)
         {
-            lanes toA[8];
-            for (int j = 0; j < D; ++j)
-            {
-                for (int i = 0; i < D; ++i)
-                {
-                    toA[j*sA + i] = out[i]*laneAt(C, j);
-                    toA[j*sA + second + i] = out[D + i]*laneAt(r, j);
-                }
-            }
             rowsOf(columns, toA);
         }
 
@@ -379,12 +405,13 @@ public:
         scalar* motion
     )
     {
-        const lanes stiff = stiffness(C, r);
+        const lanes whole = stiffness(C, r);
+        const lanes stiff = share_ ? shares(ends, n)*whole : whole;
         const scalar* k = reinterpret_cast<const scalar*>(&stiff);
         alignas(registerBytes) row<8> differences[nLanes];
         alignas(registerBytes) row<8> sums[nLanes];
         alignas(registerBytes) row<4> force[nLanes];
-        lanes of[8], dx[D], dv[D], change[D];
+        lanes of[8], dx[D], dv[D], change[D], square{};
         lanesOf(of, [&](const int l)
         {
             const index a = ends[2*l], b = ends[2*l + 1];
@@ -409,7 +436,10 @@ public:
                 ofB += by*rowAt<8>(grad_ + (b*D + j)*sA);
             }
             const row<8> sum = ofA + ofB;
-            force[l] = k[l]*threeOf(lower(differences[l]) - 0.5*lower(sum));
+            const row<4> jump =
+                threeOf(lower(differences[l]) - 0.5*lower(sum));
+            force[l] = k[l]*jump;
+            if (share_) square[l] = dotOfThree(jump, jump);
             if constexpr (corrects)
             {
                 sums[l] =
@@ -425,7 +455,10 @@ public:
         store(motion, m);
         see(m);
         alignas(registerBytes) row<4> squares[nLanes];
-        fourRowsOf(squares, {m.jj, m.mm, haste(of, dx), lanes{}});
+        fourRowsOf
+        (
+            squares, {m.jj, m.mm, haste(of, dx), 0.25*whole*square}
+        );
 
         for (int l = 0; l < n; ++l)
         {

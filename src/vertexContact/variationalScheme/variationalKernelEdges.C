@@ -173,6 +173,7 @@ scalar variationalKernelTemplate<D, finite>::jumpEnergy
     const label* edge = d.dual.edgeNodes().cdata();
     const scalar* U = x.U.cdata();
     const scalar* grad = x.grad.cdata();
+    const scalarField& share = d.state.flow.jumpShare;
     scalar energy = 0;
     for (index e = 0; e < d.dual.nEdges(); ++e)
     {
@@ -193,7 +194,11 @@ scalar variationalKernelTemplate<D, finite>::jumpEnergy
             }
             square += jump*jump;
         }
-        energy += 0.5*edgeStiffness(x.jumpModulus, CC, rr)*square;
+        const scalar modulus =
+            share.empty()
+          ? x.jumpModulus
+          : 0.5*(share[a] + share[b])*x.jumpModulus;
+        energy += 0.5*edgeStiffness(modulus, CC, rr)*square;
     }
     return energy;
 }

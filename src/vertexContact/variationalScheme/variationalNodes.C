@@ -272,16 +272,19 @@ inline bool variationalKernelTemplate<D, finite>::moveNode
     const row<4> squares = rowAt<4>(sensor + atSquares)*x.perEdges[a];
     const scalar* g = x.grad.cdata() + a*D*sA;
     const scalar* c = x.adjoint.cdata() + a*D*sA;
+    const bool holdsJumps = d.state.flow.jumpEnergy.size();
     if constexpr (D == 2)
     {
         row<8> sum = rowAt<8>(g);
         if (x.beta > 0) sum += perV*rowAt<8>(c);
+        if (holdsJumps) d.state.flow.jumpEnergy[a] = perV*sensor[atJumps];
         const row<4> f = picked<0, 4, 1, 5>(sum) + row<4>{1, 0, 0, 1};
         rowAt<4>(F + a*nP) = f;
         rowAt<8>(sensor) = joined(f, squares);
     }
     else if constexpr (D == 3)
     {
+        if (holdsJumps) d.state.flow.jumpEnergy[a] = perV*sensor[atJumps];
         rowAt<4>(sensor + atSquares) = squares;
         row<4> f[D];
         for (int j = 0; j < D; ++j)

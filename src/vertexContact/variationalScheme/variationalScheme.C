@@ -134,7 +134,7 @@ void Foam::variationalScheme::boundFrequencies()
     if (x_.smoothed) findFilter();
 
     // In uniaxial strain nothing shears
-    if (d > 1) x_.jumpModulus = jumpShare*material_.jumpModulus();
+    if (d > 1) x_.jumpModulus = ofShearModulus*material_.mu();
 
     // What the operator has, in two digits: not the last bits, which depend on
     // the number of processors

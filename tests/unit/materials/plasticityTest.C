@@ -6,12 +6,14 @@
 Description
     HenckyVonMises at one node: closed forms of proportional paths, unloading,
     dissipation, the yield condition after each step, equal principal
-    stretches, and the hardening curves.
+    stretches, and the hardening curves; how jumps of the positions yield, and
+    the elastic strain of a state.
 
 \*---------------------------------------------------------------------------*/
 
 #include "testEnvironment.H"
 #include "materialPoint.H"
+#include "elasticStrain.H"
 #include "principalValues.H"
 #include <algorithm>
 #include <functional>
@@ -432,6 +434,92 @@ TEST_CASE("flow that is kept is what is committed", "[materials][serial]")
         keptFlow<2>(*model);
         keptFlow<3>(*model);
     }
+}
+
+
+TEST_CASE("jumps yield as the law does in one direction", "[materials][serial]")
+{
+    const auto model(materialFrom(linear));
+    plasticPoint<3> point(*model);
+    point.s.keepFlow();
+    REQUIRE(point.s.flow.jumpShare.size() == 1);
+    CHECK(point.s.flow.jumpShare[0] == 1);
+    constexpr scalar energy = 0.25;
+    scalar given = 0, before = 1;
+    for (const scalar e : {0.002, 0.01, 0.1, 0.5})
+    {
+        // Isochoric, of an equivalent strain e
+        const SolidTensor<3> F
+        (
+            diagonal(std::exp(e), std::exp(-0.5*e), std::exp(-0.5*e))
+        );
+        point.s.flow.jumpEnergy[0] = energy;
+        point.deform(F);
+        point.s.sinceCommit = 1;
+        point.stress();
+        const scalar dissipated = model->commit(point.s, point.one);
+        const scalar strain = exactStrain(e);
+        const scalar share = point.s.flow.jumpShare[0];
+        CHECK(point.strain() == Approx(strain).margin(1e-12));
+
+        // The secant of stress and strain
+        const scalar sinh2 =
+            sqr(std::sinh(strain)) + 2*sqr(std::sinh(0.5*strain));
+        const scalar plastic = std::sqrt(2*sinh2/3);
+        CHECK
+        (
+            share
+         == Approx(strain > 0 ? point.q()/(point.q() + 3*mu*plastic) : 1)
+        );
+        CHECK(share <= before);
+        CHECK(dissipated >= (before - share)*energy);
+        before = share;
+        given += dissipated;
+    }
+    const scalar strain = point.strain();
+    CHECK(before == Approx(0.025).epsilon(0.2));
+
+    // The flow's, with mean stresses from step to step, and that of the jumps
+    CHECK
+    (
+        given
+     == Approx(tauY*strain + 0.5*slope*sqr(strain) + (1 - before)*energy)
+    );
+
+    // From the state, as a run that goes on has it
+    point.s.flow.jumpShare = scalar(1);
+    model->findJumpShares(point.s);
+    CHECK(point.s.flow.jumpShare[0] == before);
+}
+
+
+TEST_CASE("elastic strain and plastic part", "[materials][serial]")
+{
+    Random random(5);
+    for (label i = 0; i < 20; ++i)
+    {
+        const auto given = randomTensor<3>(random, 1, 0.3);
+        tensor F;
+        for (int k = 0; k < 9; ++k) F[k] = given.in[k];
+        const symmTensor b(symm(F & F.T()));
+
+        // Without a plastic part: half of the logarithm of F F^T
+        const symmTensor all(elasticStrain::of(F, symmTensor::I));
+        CHECK(mag(tr(all)) < 1e-14);
+        const symmTensor none(elasticStrain::plasticPart(F, all));
+        CHECK(mag(none - symmTensor::I) < 1e-12);
+
+        // From a strain to the plastic part, and back; only its deviator counts
+        const symmTensor strain(0.1*dev(b) + 0.3*symmTensor::I);
+        const symmTensor CpInv(elasticStrain::plasticPart(F, strain));
+        CHECK(det(CpInv) == Approx(1));
+        CHECK(mag(elasticStrain::of(F, CpInv) - dev(strain)) < 1e-12);
+    }
+    const tensor stretch(std::exp(0.2), 0, 0, 0, std::exp(-0.2), 0, 0, 0, 1);
+    const symmTensor known(elasticStrain::of(stretch, symmTensor::I));
+    CHECK(known.xx() == Approx(0.2));
+    CHECK(known.yy() == Approx(-0.2));
+    CHECK(mag(known.zz()) < 1e-14);
 }
 
 

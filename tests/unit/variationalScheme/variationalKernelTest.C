@@ -400,24 +400,48 @@ TEST_CASE("jumps of the positions have an energy", "[variational][serial]")
         if (s.nDim == 1) return;
         s.x.jumpModulus = 3;
         const scalarField u(s.random(8, 0.01)), w(s.random(9, 0.01));
-        const auto energy = [&](const scalar share)
+        for (const bool flown : {false, true})
         {
-            s.d.state.disp = u;
-            forAll(w, k) s.d.state.disp[k] += share*w[k];
-            s.deform();
-            return s.kernel->jumpEnergy(s.d, s.x);
-        };
-        // Quadratic: differences are exact
-        const scalar slope = 0.5*(energy(1) - energy(-1));
-        CHECK(energy(0) > 0);
-        const scalarField f(s.forces());
-        CHECK(s.product(f, w) == Approx(-slope).epsilon(1e-10));
-        CHECK(s.resultant(f) < 1e-12*energy(0));
+            if (flown)
+            {
+                // Nodes have shares of their own
+                s.d.state.flow.jumpShare.setSize(s.n);
+                s.d.state.flow.jumpEnergy.setSize(s.n);
+                const scalarField share(s.random(7, 0.5));
+                for (label a = 0; a < s.n; ++a)
+                {
+                    s.d.state.flow.jumpShare[a] = 0.5 + share[a];
+                }
+            }
+            const auto energy = [&](const scalar share)
+            {
+                s.d.state.disp = u;
+                forAll(w, k) s.d.state.disp[k] += share*w[k];
+                s.deform();
+                return s.kernel->jumpEnergy(s.d, s.x);
+            };
+            // Quadratic: differences are exact
+            const scalar slope = 0.5*(energy(1) - energy(-1));
+            CHECK(energy(0) > 0);
+            const scalarField f(s.forces());
+            CHECK(s.product(f, w) == Approx(-slope).epsilon(1e-10));
+            CHECK(s.resultant(f) < 1e-12*energy(0));
 
-        // It is no dissipation
-        scalar largest = 0;
-        forAll(f, k) largest = max(largest, mag(s.dissipation(k)));
-        CHECK(largest < 1e-10*mag(f[0]));
+            // It is no dissipation
+            scalar largest = 0;
+            forAll(f, k) largest = max(largest, mag(s.dissipation(k)));
+            CHECK(largest < 1e-10*mag(f[0]));
+
+            // What nodes hold of it, by their volume
+            scalar held = 0;
+            for (label a = 0; a < s.n && flown; ++a)
+            {
+                held +=
+                    s.dual.nodeVolume()[a]
+                   *s.d.state.flow.jumpShare[a]*s.d.state.flow.jumpEnergy[a];
+            }
+            if (flown) CHECK(held == Approx(energy(0)).epsilon(1e-10));
+        }
     });
 }
 

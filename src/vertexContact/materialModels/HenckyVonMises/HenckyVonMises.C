@@ -143,10 +143,24 @@ void Foam::HenckyVonMises::stressLoop
 }
 
 
-Foam::scalar Foam::HenckyVonMises::jumpModulus() const
+Foam::scalar Foam::HenckyVonMises::jumpShare
+(
+    const conservedState& s,
+    const label node
+) const
 {
-    const scalar H = max(yieldStress(1) - yieldStress(0), scalar(0));
-    return mu()*H/(3*mu() + H);
+    const scalar strain = plasticStrain(s, node);
+    const scalar y = max(yieldStress(s.epsilonPEq[node]), scalar(0));
+    return strain > 0 ? y/(y + 3*mu()*strain) : 1;
+}
+
+
+void Foam::HenckyVonMises::findJumpShares(conservedState& s) const
+{
+    forAll(s.flow.jumpShare, i)
+    {
+        s.flow.jumpShare[i] = jumpShare(s, i);
+    }
 }
 
 
@@ -196,8 +210,16 @@ Foam::scalar Foam::HenckyVonMises::takeFlow
 ) const
 {
     s.epsilonPEq[i] += increment;
-    if (s.temperature.size()) s.temperature[i] += heatPerWork_*work;
-    return weight*work;
+    scalar lost = work;
+    if (s.flow.jumpShare.size())
+    {
+        scalar& share = s.flow.jumpShare[i];
+        const scalar before = share;
+        share = jumpShare(s, i);
+        lost += (before - share)*s.flow.jumpEnergy[i];
+    }
+    if (s.temperature.size()) s.temperature[i] += heatPerWork_*lost;
+    return weight*lost;
 }
 
 
