@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from vertexContactCases import readResults
-from vertexContactTests.caseTools import DEFAULT, checked, runAgain
+from vertexContactTests.caseTools import DEFAULT, checked, runAgain, solver
 from vertexContactTests.smallCases import (ELASTIC, FLOOR, Body, SmallCase,
                                            condition, largest)
 
@@ -130,6 +130,34 @@ def test_restart_of_extremes(tmp_path, figures):
     with figures("extremes after a restart") as f:
         f.atMost("time of the largest pressure", most[0][1], 1)
         f.equal("the same", most[1], most[0])
+
+
+@pytest.mark.parametrize("ranks", (1, 2))
+def test_rows_of_extremes_after_a_restart(tmp_path, figures, ranks):
+    """Each row is of the steps since the one before, as without the restart:
+    the first one of what the run before had seen, the next ones no longer."""
+    tables = []
+    for stages in (2,), (1, 2):
+        case = SmallCase(tmp_path/str(len(stages)), Body(
+            (6, 6), sides={"bottom": condition(
+                "fixedVelocity", velocity=(0, 0, 0))},
+            velocity=lambda X: X*np.array((0, -0.2, 0))), 2,
+            preset=DEFAULT, control={"writeInterval": 0.5, "functions": {
+                "peaks": function("solidExtremes", everyStep="yes",
+                                  fields="(sigmaEq pressure)",
+                                  writeControl="writeTime")}})
+        for end in stages:
+            case.set("system/controlDict", {"endTime": end})
+            if end == stages[0]:
+                assert case.attempt(ranks)[0] == 0
+            else:
+                checked(solver(ranks), case.path)
+        tables.append(readResults.table(case.path, "peaks", "extremes.dat"))
+    a, b = tables
+    with figures(f"rows of extremes after a restart, {ranks} ranks") as f:
+        f.equal("times of rows", b["Time"].tolist(), a["Time"].tolist())
+        f.equal("columns that differ", sum(
+            not np.array_equal(a[key], b[key]) for key in a), 0)
 
 
 @pytest.mark.parametrize("ranks", (2, 3))

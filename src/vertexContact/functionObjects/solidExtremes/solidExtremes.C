@@ -213,10 +213,11 @@ Foam::functionObjects::solidExtremes::solidExtremes
         *file_ << endl;
     }
 
+    // At a restart its first row closes what the run before had begun
+    if (everyStep_) readRecord();
     writeFirstRow();
     if (everyStep_)
     {
-        readRecord();
         solids_.records().keep(name, [this](Ostream& os) { writeRecord(os); });
     }
 }
