@@ -314,6 +314,38 @@ def test_paired_again_by_what_is_near(tmp_path, figures, ranks):
                  bars/(17*width*angle/(0.1*width)), 0.2)
 
 
+@pytest.mark.parametrize("surfaces", ("named", "all"))
+@pytest.mark.parametrize("turn", (0, 1))
+def test_where_the_plane_lies_does_not_count(tmp_path, figures, turn, surfaces):
+    """A block slides over eight of its faces. In 2D the meshes may begin
+    anywhere along the direction that is left out, each where it likes."""
+    def slide(name, block, base):
+        def placed(X):
+            return np.roll(X, turn, axis=1)
+
+        bodies = [
+            Body((6, 3), name="block", start=(0, 1, block), size=(1, 0.5, 1),
+                 moved=placed, sides={"bottom": "contact"},
+                 velocity=np.roll((0.5, 0, 0), turn)),
+            Body((30, 2), name="base", start=(-0.5, 0.5, base), moved=placed,
+                 size=(3, 0.5, 1), sides={"top": "contact", "bottom": condition(
+                     "fixedVelocity", velocity=(0, 0, 0))})]
+        sides = ({"surfaces": "all"} if surfaces == "all" else interface(
+            ("block", "bottom"), ("base", "top"), pairing="nearestFace"))
+        case = SmallCase(tmp_path/name, bodies, 2.7, {"contact": sides},
+                         gravity=np.roll((0, -0.01, 0), turn),
+                         preset=DEFAULT).run()
+        return np.roll(case.at("pointD"), -turn, axis=1)
+
+    there = slide("there", 0, 0)
+    with figures(f"plane elsewhere, {surfaces}, turned {turn} times") as f:
+        f.atMost("height of the block, change / cell",
+                 largest(there[:, 1])/(1/6), 0.05)
+        for name, places in ("both", (3, 3)), ("one", (0, -2)):
+            f.atMost(f"displacement with {name} of them elsewhere, difference",
+                     largest(slide(name, *places) - there), 1e-14)
+
+
 @pytest.mark.parametrize("ranks", (1, 2))
 def test_nothing_happens_between_what_passes(tmp_path, figures, ranks):
     """All outer surfaces of three blocks in each other's sight: one passes the

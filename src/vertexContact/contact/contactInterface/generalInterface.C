@@ -50,7 +50,10 @@ Foam::generalInterface::candidates
     contactSurface::bodyMotion mean{vector::zero, vector::zero};
     forAll(surfaces_, i)
     {
-        boxes[i] = motions_[i].box();
+        // Where regions lie along a direction that is left out does not count
+        const medianDual& dual = surfaces_[i].body->dual();
+        const boundBox box(motions_[i].box());
+        boxes[i] = boundBox(dual.projected(box.min()), dual.projected(box.max()));
         mean.velocity += motions[i].velocity/surfaces_.size();
         mean.displacement += motions[i].displacement/surfaces_.size();
     }

@@ -160,7 +160,14 @@ void Foam::surfaceMotion::setFree(const boundBox& box, const scalar distance)
     bool some = false;
     forAll(nodes(), place)
     {
-        const point x(side_.body->position(nodes()[place]));
+        // The box has none of the directions that are left out
+        const point x
+        (
+            side_.body->dual().projected
+            (
+                side_.body->position(nodes()[place])
+            )
+        );
         free_[place] = 0.5*max
         (
             scalar(0), surfaceMotion::distance(boundBox(x, x), box) - distance
