@@ -4,7 +4,8 @@ pairings that follow the bodies."""
 import numpy as np
 import pytest
 
-from vertexContactTests.caseTools import DEFAULT, PRESET, checkEnergies, rise
+from vertexContactTests.caseTools import (DEFAULT, PRESET, checkEnergies,
+                                          execute, rise)
 from vertexContactTests.smallCases import (RUBBER, SIDES, Body, SmallCase,
                                            condition, coulomb, distorted,
                                            interface, largest)
@@ -344,6 +345,32 @@ def test_where_the_plane_lies_does_not_count(tmp_path, figures, turn, surfaces):
         for name, places in ("both", (3, 3)), ("one", (0, -2)):
             f.atMost(f"displacement with {name} of them elsewhere, difference",
                      largest(slide(name, *places) - there), 1e-14)
+
+
+@pytest.mark.parametrize("pairing", ("AMI", "nearestFace"))
+def test_bond_of_planes_that_lie_elsewhere(tmp_path, figures, pairing):
+    """Nor does it count for what is tied, and checkContact finds nothing."""
+    def pull(name, place):
+        block = Body((6, 3), name="block", start=(0.2, 1.01, place),
+                     size=(1, 0.5, 1), sides={"bottom": "contact"},
+                     velocity=(0.1, -0.05, 0))
+        base = Body((8, 3), name="base", start=(0, 0.5, 0), size=(1.6, 0.5, 1),
+                    sides={"top": "contact", "bottom": condition(
+                        "fixedVelocity", velocity=(0, 0, 0))})
+        case = SmallCase(tmp_path/name, [block, base], 2, {
+            "bond": interface(("block", "bottom"), ("base", "top"), "tied",
+                              pairing=pairing)}, preset=DEFAULT).run()
+        check = execute(("checkContact", "-time", "0"), case.path)
+        return case.at("pointD"), check.stdout
+
+    there, _ = pull("there", 0)
+    with figures(f"bond of planes elsewhere, {pairing}") as f:
+        f.atLeast("largest displacement", largest(there), 0.05)
+        for place in -0.5, 2:
+            D, check = pull(f"at{place}", place)
+            f.atMost(f"at {place} m, difference", largest(D - there), 1e-14)
+            f.equal(f"at {place} m, findings of checkContact",
+                    check.count("***"), 0)
 
 
 @pytest.mark.parametrize("ranks", (1, 2))

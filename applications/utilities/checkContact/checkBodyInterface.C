@@ -284,7 +284,8 @@ void Foam::checkInterface
         const vector& n = at.n;
 
         // Gap and offset. Overlaps that do not face each other do not touch
-        const scalar relativeOffset = mag(b.x - a.x - gap*n)/o.width;
+        const vector between(M.side.body->dual().projected(b.x - a.x));
+        const scalar relativeOffset = mag(between - gap*n)/o.width;
         const vector& u = b.linear;
         if (at.opposed)
         {

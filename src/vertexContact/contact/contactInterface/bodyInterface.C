@@ -144,6 +144,7 @@ void Foam::bodyInterface::setKernel()
                     over.minus.value[j]
                    *body.meshPoint(minusNode[over.minus.corner[j]]);
             }
+            between = body.dual().projected(between);
             firstGap[o] = mag(between)*sign(between & referenceNormal(over));
         }
         const label most = max(over.minus.size, over.plus.size);
