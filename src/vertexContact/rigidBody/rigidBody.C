@@ -280,16 +280,19 @@ Foam::vector Foam::rigidBody::angularRate(const vector& moment) const
 
 Foam::vector Foam::rigidBody::linear(const state& s) const
 {
-    return s.P + mass_.mass*(spin(s, s.L) ^ s.q.transform(toCentre_));
+    state then(s);
+    then.q = s.middle;
+    return
+        s.P + mass_.mass*(spin(then, s.L) ^ then.q.transform(toCentre_));
 }
 
 
 Foam::vector Foam::rigidBody::angular(const state& s) const
 {
-    return
-        rotation_ == freedom::all
-      ? s.L
-      : vector(turned(inertia_, s.q) & spin(s, s.L));
+    if (rotation_ == freedom::all) return s.L;
+    state then(s);
+    then.q = s.middle;
+    return turned(inertia_, then.q) & spin(then, s.L);
 }
 
 
@@ -502,6 +505,7 @@ void Foam::rigidBody::setPose(const vector& shift, const tensor& rotation)
     now_.shift = shift;
     now_.q = quaternion(rotation);
     now_.q /= mag(now_.q);
+    now_.middle = now_.q;
 }
 
 
@@ -591,19 +595,21 @@ Foam::rigidBody::works Foam::rigidBody::leap
     // Position
     now_.time = time + deltaT;
     now_.shift += deltaT*perMass*now_.P;
+    now_.middle = now_.q;
     if (rotation_ == freedom::all)
     {
+        free_->turn(now_.middle, now_.L, 0.5*deltaT);
         free_->turn(now_.q, now_.L, deltaT);
     }
     else if (rotation_ == freedom::axis)
     {
-        freeRotation::turnAbout
-        (
-            now_.q, axis_, deltaT*(now_.L & axis_)/axisInertia_
-        );
+        const scalar angle = deltaT*(now_.L & axis_)/axisInertia_;
+        freeRotation::turnAbout(now_.middle, axis_, 0.5*angle);
+        freeRotation::turnAbout(now_.q, axis_, angle);
     }
     else if (motion_.valid())
     {
+        now_.middle = slerp(now_.q, pose.r(), 0.5);
         now_.q = pose.r();
         if (energy && Pstream::master())
         {
@@ -715,9 +721,13 @@ Foam::rigidBody::works Foam::rigidBody::presentPowers() const
 
 void Foam::rigidBody::write(Ostream& os) const
 {
+    const auto numbers = [](const quaternion& q)
+    {
+        return scalarList({q.w(), q.v().x(), q.v().y(), q.v().z()});
+    };
     os  << "    shift " << now_.shift << ';' << nl
-        << "    orientation (" << now_.q.w() << ' ' << now_.q.v().x() << ' '
-        << now_.q.v().y() << ' ' << now_.q.v().z() << ");" << nl
+        << "    orientation " << flatOutput(numbers(now_.q)) << ';' << nl
+        << "    middle " << flatOutput(numbers(now_.middle)) << ';' << nl
         << "    momentum " << now_.P << ';' << nl
         << "    " << (rotation_ == freedom::none ? "spin " : "angularMomentum ")
         << now_.L << ';' << nl;
@@ -727,8 +737,17 @@ void Foam::rigidBody::write(Ostream& os) const
 void Foam::rigidBody::read(const dictionary& record)
 {
     now_.shift = record.get<vector>("shift");
-    const List<scalar> q(record.get<List<scalar>>("orientation"));
-    now_.q = quaternion(q[0], vector(q[1], q[2], q[3]));
+    const auto orientation = [&](const word& name)
+    {
+        const List<scalar> q(record.get<List<scalar>>(name));
+        return quaternion(q[0], vector(q[1], q[2], q[3]));
+    };
+    now_.q = orientation("orientation");
+    // Records of earlier versions have one
+    now_.middle = orientation
+    (
+        record.found("middle") ? "middle" : "orientation"
+    );
     now_.P = record.get<vector>("momentum");
 
     // What is free may have changed since
