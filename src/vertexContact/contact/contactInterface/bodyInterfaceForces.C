@@ -58,33 +58,50 @@ void Foam::bodyInterface::findStates
 }
 
 
-template<class Value, class Function>
-void Foam::bodyInterface::setCorners
+template<class T>
+void Foam::bodyInterface::toSlots
 (
-    const contactSide& side,
-    const labelList& corners,
-    List<Value>& values,
-    const Function& set
+    const UList<bodyInterface*>& pairs,
+    contactExchange& exchange,
+    sideValues<T> bodyInterface::* values
 )
 {
-    const labelList& node = side.body->corners(side.patchi).geometry.cornerNode;
-    values.setSize(corners.size());
-    forAll(corners, i) set(node[corners[i]], values[i]);
+    exchange.toSlots<T>
+    (
+        [&](const label i) -> auto& { return (pairs[i]->*values).own; },
+        [&](const label i) -> auto& { return (pairs[i]->*values).plus; }
+    );
 }
 
 
-void Foam::bodyInterface::findVelocities
+template<class T, class Function>
+void Foam::bodyInterface::findValues
 (
-    const contactSide& side,
-    const labelList& corners,
-    vectorField& velocities
+    const UList<bodyInterface*>& pairs,
+    contactExchange& exchange,
+    sideValues<T> bodyInterface::* values,
+    const Function& of
 )
 {
-    const solidBody& body = *side.body;
-    setCorners(side, corners, velocities, [&](const label node, vector& v)
+    const auto find = [&]
+    (
+        const contactSide& side,
+        const labelList& corners,
+        List<T>& its
+    )
     {
-        v = body.contact().velocityWith(node);
-    });
+        const solidBody& body = *side.body;
+        const labelList& node = body.corners(side.patchi).geometry.cornerNode;
+        its.setSize(corners.size());
+        forAll(corners, i) its[i] = of(body, node[corners[i]]);
+    };
+    for (bodyInterface* pair : pairs)
+    {
+        sideValues<T>& its = pair->*values;
+        find(pair->minus_, pair->minusCorners_, its.minus);
+        find(pair->plus_, pair->pairing_->plusCorners(), its.own);
+    }
+    toSlots(pairs, exchange, values);
 }
 
 
@@ -129,7 +146,7 @@ void Foam::bodyInterface::findNear()
         const typename kernelType::block& b = kernel[i];
         kernel.find
         (
-            b, minusStates_.cdata(), plusStates_.cdata(), deltaT, impedance,
+            b, states_.minus.cdata(), states_.plus.cdata(), deltaT, impedance,
             bonded, lever, at
         );
         for (int l = 0; l < b.size; ++l)
@@ -168,7 +185,7 @@ void Foam::bodyInterface::findNear()
                 shift = acousticRiemann::tangential
                 (
                     0.5
-                   *(minusSlide_[slot] - plusSlide_[b.plus.slot[0][l]]),
+                   *(slides_.minus[slot] - slides_.plus[b.plus.slot[0][l]]),
                     normal
                 );
             }
@@ -228,12 +245,12 @@ void Foam::bodyInterface::correctNear()
         const auto minus = near.velocity
         (
             near.lever.minus, b.minus,
-            [&](const label s) -> const vector& { return minusVelocities_[s]; }
+            [&](const label s) -> const vector& { return velocities_.minus[s]; }
         );
         const auto plus = near.velocity
         (
             near.lever.plus, b.plus,
-            [&](const label s) -> const vector& { return plusVelocities_[s]; }
+            [&](const label s) -> const vector& { return velocities_.plus[s]; }
         );
         for (label k = 0; k < near.size; ++k)
         {
@@ -289,7 +306,7 @@ void Foam::bodyInterface::releasePulls()
     {
         const bool pressed =
             minusPressed_[m] > 0 || plusPressed_[s] > 0
-         || plusStates_[s].shared > 0.5;
+         || states_.plus[s].shared > 0.5;
         if (p.area < 0 && !pressed)
         {
             p.result.state = acousticRiemann::status::open;
@@ -351,24 +368,9 @@ void Foam::bodyInterface::solveNear()
 void Foam::bodyInterface::startForces()
 {
     statistics_ = statistics();
-    findStates(minus_, minusCorners_, minusStates_);
-    findStates(plus_, pairing_->plusCorners(), ownStates_);
-    forAll(ownStates_, i) ownStates_[i].shared = sharedCorners_[i];
-}
-
-
-void Foam::bodyInterface::findSlides
-(
-    const contactSide& side,
-    const labelList& corners,
-    vectorField& slides
-)
-{
-    const solidBody& body = *side.body;
-    setCorners(side, corners, slides, [&](const label node, vector& slide)
-    {
-        slide = body.slide(node);
-    });
+    findStates(minus_, minusCorners_, states_.minus);
+    findStates(plus_, pairing_->plusCorners(), states_.own);
+    forAll(states_.own, i) states_.own[i].shared = sharedCorners_[i];
 }
 
 
@@ -378,16 +380,10 @@ void Foam::bodyInterface::startSlides
     contactExchange& exchange
 )
 {
-    for (bodyInterface* pair : pairs)
-    {
-        bodyInterface& p = *pair;
-        findSlides(p.minus_, p.minusCorners_, p.minusSlide_);
-        findSlides(p.plus_, p.pairing_->plusCorners(), p.ownSlide_);
-    }
-    exchange.toSlots<vector>
+    findValues
     (
-        [&](const label i) -> auto& { return pairs[i]->ownSlide_; },
-        [&](const label i) -> auto& { return pairs[i]->plusSlide_; }
+        pairs, exchange, &bodyInterface::slides_,
+        [](const solidBody& body, const label node) { return body.slide(node); }
     );
 }
 
@@ -434,11 +430,7 @@ void Foam::bodyInterface::findForces
 )
 {
     for (bodyInterface* pair : pairs) pair->startForces();
-    exchange.toSlots<surfaceState>
-    (
-        [&](const label i) -> auto& { return pairs[i]->ownStates_; },
-        [&](const label i) -> auto& { return pairs[i]->plusStates_; }
-    );
+    toSlots(pairs, exchange, &bodyInterface::states_);
     for (bodyInterface* pair : pairs)
     {
         pair->startAnswers();
@@ -485,19 +477,13 @@ void Foam::bodyInterface::correctForces
     const bool firstStage
 )
 {
-    for (bodyInterface* pair : pairs)
-    {
-        bodyInterface& p = *pair;
-        findVelocities(p.minus_, p.minusCorners_, p.minusVelocities_);
-        findVelocities
-        (
-            p.plus_, p.pairing_->plusCorners(), p.ownVelocities_
-        );
-    }
-    exchange.toSlots<vector>
+    findValues
     (
-        [&](const label i) -> auto& { return pairs[i]->ownVelocities_; },
-        [&](const label i) -> auto& { return pairs[i]->plusVelocities_; }
+        pairs, exchange, &bodyInterface::velocities_,
+        [](const solidBody& body, const label node)
+        {
+            return body.contact().velocityWith(node);
+        }
     );
     for (bodyInterface* pair : pairs)
     {
@@ -560,22 +546,6 @@ Foam::scalar Foam::bodyInterface::taken
 }
 
 
-void Foam::bodyInterface::findSteps
-(
-    const contactSide& side,
-    const labelList& corners,
-    List<stepVelocities>& steps
-)
-{
-    const solidBody& body = *side.body;
-    setCorners(side, corners, steps, [&](const label node, stepVelocities& v)
-    {
-        v.last = body.stepVelocity(node);
-        v.mean = body.meanStepVelocity(node);
-    });
-}
-
-
 template<int nNodes>
 void Foam::bodyInterface::slideOverlaps
 (
@@ -613,8 +583,8 @@ void Foam::bodyInterface::slideOverlaps
                 };
             };
             return
-                near.velocity(near.lever.plus, b.plus, of(plusSteps_))
-              - near.velocity(near.lever.minus, b.minus, of(minusSteps_));
+                near.velocity(near.lever.plus, b.plus, of(steps_.plus))
+              - near.velocity(near.lever.minus, b.minus, of(steps_.minus));
         };
         const auto way = slip(&stepVelocities::last);
         const auto mean = slip(&stepVelocities::mean);
@@ -681,16 +651,16 @@ void Foam::bodyInterface::slide
     const scalar deltaT
 )
 {
-    for (bodyInterface* pair : pairs)
-    {
-        bodyInterface& p = *pair;
-        findSteps(p.minus_, p.minusCorners_, p.minusSteps_);
-        findSteps(p.plus_, p.pairing_->plusCorners(), p.ownSteps_);
-    }
-    exchange.toSlots<stepVelocities>
+    findValues
     (
-        [&](const label i) -> auto& { return pairs[i]->ownSteps_; },
-        [&](const label i) -> auto& { return pairs[i]->plusSteps_; }
+        pairs, exchange, &bodyInterface::steps_,
+        [](const solidBody& body, const label node)
+        {
+            return stepVelocities
+            {
+                body.stepVelocity(node), body.meanStepVelocity(node)
+            };
+        }
     );
     for (bodyInterface* pair : pairs)
     {
