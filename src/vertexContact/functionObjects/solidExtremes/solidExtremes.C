@@ -6,6 +6,7 @@
 
 #include "solidExtremes.H"
 #include "dictionaryCheck.H"
+#include "rankRows.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -78,15 +79,8 @@ Foam::scalarList Foam::functionObjects::solidExtremes::whole() const
 {
     List<scalarList> all(Pstream::nProcs());
     scalarList& mine = all[Pstream::myProcNo()];
-    mine.setSize(extreme::width*extremes_.size());
-    scalar* p = mine.data();
-    for (const extreme& e : extremes_)
-    {
-        *p++ = e.value;
-        *p++ = e.time;
-        for (const scalar x : e.position) *p++ = x;
-        for (const scalar x : e.reference) *p++ = x;
-    }
+    List<extreme> here(extremes_);
+    asNumbers(here, [&](const scalarList& numbers) { mine = numbers; });
     Pstream::gatherList(all);
     if (!Pstream::master()) return scalarList();
 
@@ -139,14 +133,7 @@ void Foam::functionObjects::solidExtremes::readRecord()
     // Fields and selections may be others now
     const scalarList all(record.get<scalarList>("extremes"));
     if (all.size() != extreme::width*extremes_.size()) return;
-    const scalar* p = all.cdata();
-    for (extreme& e : extremes_)
-    {
-        e.value = *p++;
-        e.time = *p++;
-        for (scalar& x : e.position) x = *p++;
-        for (scalar& x : e.reference) x = *p++;
-    }
+    asNumbers(extremes_, [&](scalarList& numbers) { numbers = all; });
 }
 
 
