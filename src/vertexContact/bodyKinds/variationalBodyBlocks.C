@@ -33,15 +33,11 @@ void Foam::variationalBody::keepFreeRates()
     scalarField& forces = block_->freeForces;
     rates.setSize(contact_.nodes().size()*d);
     forces.setSize(contact_.nodes().size()*d);
-    forAll(contact_.nodes(), k)
+    contact_.forComponents([&](const label k, const label a, const label i)
     {
-        const label a = contact_.nodes()[k];
-        for (label i = 0; i < d; ++i)
-        {
-            rates[k*d + i] = data_.rates[a*data_.strideRates + i];
-            forces[k*d + i] = externalForce_[a*d + i];
-        }
-    }
+        rates[k*d + i] = data_.rates[a*data_.strideRates + i];
+        forces[k*d + i] = externalForce_[a*d + i];
+    });
 }
 
 
@@ -49,15 +45,11 @@ void Foam::variationalBody::restoreFreeRates()
 {
     if (!contact_.on()) return;
     const label d = dual_.nDim();
-    forAll(contact_.nodes(), k)
+    contact_.forComponents([&](const label k, const label a, const label i)
     {
-        const label a = contact_.nodes()[k];
-        for (label i = 0; i < d; ++i)
-        {
-            data_.rates[a*data_.strideRates + i] = block_->freeRates[k*d + i];
-            externalForce_[a*d + i] = block_->freeForces[k*d + i];
-        }
-    }
+        data_.rates[a*data_.strideRates + i] = block_->freeRates[k*d + i];
+        externalForce_[a*d + i] = block_->freeForces[k*d + i];
+    });
 }
 
 
@@ -73,16 +65,12 @@ void Foam::variationalBody::startBlock()
     b.impulse.setSize(dual_.nNodes()*d);
     b.path.setSize(dual_.nNodes()*d);
     b.startDisp.setSize(contact_.nodes().size()*d);
-    forAll(contact_.nodes(), k)
+    contact_.forComponents([&](const label k, const label a, const label i)
     {
-        const label a = contact_.nodes()[k];
-        for (label i = 0; i < d; ++i)
-        {
-            b.startDisp[k*d + i] = data_.state.disp[a*d + i];
-            b.impulse[a*d + i] = 0;
-            b.path[a*d + i] = data_.state.lm[a*d + i]/data_.rho;
-        }
-    }
+        b.startDisp[k*d + i] = data_.state.disp[a*d + i];
+        b.impulse[a*d + i] = 0;
+        b.path[a*d + i] = data_.state.lm[a*d + i]/data_.rho;
+    });
 }
 
 
@@ -93,30 +81,23 @@ void Foam::variationalBody::placeSurface(const scalar time)
     const label d = dual_.nDim();
     if (b.elapsed > 0)
     {
-        for (const label a : contact_.nodes())
+        contact_.forComponents([&](label, const label a, const label i)
         {
-            for (label i = 0; i < d; ++i)
-            {
-                work_[a*d + i] = b.impulse[a*d + i]/b.elapsed;
-            }
-        }
+            work_[a*d + i] = b.impulse[a*d + i]/b.elapsed;
+        });
         contact_.complete(work_);
     }
-    forAll(contact_.nodes(), k)
+    contact_.forComponents([&](const label k, const label a, const label i)
     {
-        const label a = contact_.nodes()[k];
-        const scalar* rate = data_.rates.cdata() + a*data_.strideRates;
-        for (label i = 0; i < d; ++i)
-        {
-            const scalar v = data_.state.lm[a*d + i]/data_.rho;
-            b.path[a*d + i] =
-                b.elapsed > 0
-              ? v + contact_.ahead()/data_.rho*(rate[i] + work_[a*d + i])
-              : v;
-            data_.state.disp[a*d + i] =
-                b.startDisp[k*d + i] - 0.5*lastStep_*v + time*b.path[a*d + i];
-        }
-    }
+        const scalar rate = data_.rates[a*data_.strideRates + i];
+        const scalar v = data_.state.lm[a*d + i]/data_.rho;
+        b.path[a*d + i] =
+            b.elapsed > 0
+          ? v + contact_.ahead()/data_.rho*(rate + work_[a*d + i])
+          : v;
+        data_.state.disp[a*d + i] =
+            b.startDisp[k*d + i] - 0.5*lastStep_*v + time*b.path[a*d + i];
+    });
 }
 
 
@@ -124,14 +105,10 @@ void Foam::variationalBody::putSurfaceBack()
 {
     if (!contact_.on()) return;
     const label d = dual_.nDim();
-    forAll(contact_.nodes(), k)
+    contact_.forComponents([&](const label k, const label a, const label i)
     {
-        const label a = contact_.nodes()[k];
-        for (label i = 0; i < d; ++i)
-        {
-            data_.state.disp[a*d + i] = block_->startDisp[k*d + i];
-        }
-    }
+        data_.state.disp[a*d + i] = block_->startDisp[k*d + i];
+    });
     block_->inside = false;
 }
 
@@ -140,13 +117,10 @@ void Foam::variationalBody::addContactImpulse(const scalar deltaT)
 {
     block_->elapsed += deltaT;
     const label d = dual_.nDim();
-    for (const label a : contact_.nodes())
+    contact_.forComponents([&](label, const label a, const label i)
     {
-        for (label i = 0; i < d; ++i)
-        {
-            block_->impulse[a*d + i] += deltaT*contact_.forces()[a*d + i];
-        }
-    }
+        block_->impulse[a*d + i] += deltaT*contact_.forces()[a*d + i];
+    });
 }
 
 
@@ -154,14 +128,10 @@ void Foam::variationalBody::endBlock()
 {
     putSurfaceBack();
     const label d = dual_.nDim();
-    for (const label a : contact_.nodes())
+    contact_.forComponents([&](label, const label a, const label i)
     {
-        for (label i = 0; i < d; ++i)
-        {
-            contact_.forces()[a*d + i] =
-                block_->impulse[a*d + i]/block_->elapsed;
-        }
-    }
+        contact_.forces()[a*d + i] = block_->impulse[a*d + i]/block_->elapsed;
+    });
     addContactForces();
 }
 

@@ -145,13 +145,10 @@ Foam::leapfrogBody::forceBalance Foam::variationalBody::balance()
     const label d = dual_.nDim();
     scalarField& loads = work_;
     loads = externalForce_;
-    for (const label a : contact_.nodes())
+    contact_.forComponents([&](label, const label a, const label i)
     {
-        for (label i = 0; i < d; ++i)
-        {
-            loads[a*d + i] += contact_.forces()[a*d + i];
-        }
-    }
+        loads[a*d + i] += contact_.forces()[a*d + i];
+    });
     dual_.sharing().sum(loads.data(), d);
     for (label a = 0; a < dual_.nNodes(); ++a)
     {
