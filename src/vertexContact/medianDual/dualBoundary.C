@@ -87,9 +87,7 @@ static void triangleArea
         q[c] = x[3*k + c] - x[3*i + c];
     }
 
-    area[0] = 0.5*(p[1]*q[2] - p[2]*q[1]);
-    area[1] = 0.5*(p[2]*q[0] - p[0]*q[2]);
-    area[2] = 0.5*(p[0]*q[1] - p[1]*q[0]);
+    elementDual::halfCross(p, q, area);
 }
 
 

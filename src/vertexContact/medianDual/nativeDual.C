@@ -11,15 +11,6 @@
 namespace Foam
 {
 
-//- Half the cross product
-static inline void halfCross(const scalar* p, const scalar* q, scalar* r)
-{
-    r[0] = 0.5*(p[1]*q[2] - p[2]*q[1]);
-    r[1] = 0.5*(p[2]*q[0] - p[0]*q[2]);
-    r[2] = 0.5*(p[0]*q[1] - p[1]*q[0]);
-}
-
-
 //- A part c of the area vector from vertex p to vertex q of an element, and
 //  the volumes below it: cones (triangles) with the two vertices as apexes
 static inline void addPart
@@ -123,7 +114,7 @@ void Foam::nativeDual::calculate
                 }
 
                 scalar c[3];
-                halfCross(toCentre, toFace, c);
+                elementDual::halfCross(toCentre, toFace, c);
 
                 addPart(p, q, c, x, 3, dual);
             }
@@ -156,7 +147,7 @@ void Foam::nativeDual::cornerArea
         across[k] = 0.5*(previous[k] - next[k]);
     }
 
-    halfCross(toCentre, across, area);
+    elementDual::halfCross(toCentre, across, area);
 }
 
 

@@ -7,7 +7,6 @@
 #include "nodeGraph.H"
 
 #include <algorithm>
-#include <numeric>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -110,8 +109,7 @@ Foam::labelList Foam::nodeGraph::bandCompression() const
         return degreeA != degreeB ? degreeA < degreeB : a < b;
     };
 
-    labelList candidates(n);
-    std::iota(candidates.begin(), candidates.end(), label(0));
+    labelList candidates(identity(n));
     std::sort(candidates.begin(), candidates.end(), lessConnected);
 
     // Breadth-first from a root into order[begin ...], for the component of

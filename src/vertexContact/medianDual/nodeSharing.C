@@ -215,13 +215,8 @@ Foam::nodeSharing::nodeSharing
     sharedNodes_(),
     sharedWith_(),
     owned_(nNodes, true),
-    globalNode_(nNodes)
+    globalNode_(identity(nNodes))
 {
-    forAll(globalNode_, node)
-    {
-        globalNode_[node] = node;
-    }
-
     if (!UPstream::parRun()) return;
 
     const label myRank = UPstream::myProcNo(comm_);
@@ -260,10 +255,7 @@ Foam::nodeSharing::nodeSharing
 
     // From points to nodes. Each rank that has one point of a node has all
     // of them, as meshes with empty directions are one cell thick
-    forAll(globalNode_, node)
-    {
-        globalNode_[node] = numbering.toGlobal(node);
-    }
+    globalNode_ = identity(nNodes, numbering.toGlobal(0));
 
     labelListList nodeRanks(nNodes);
 

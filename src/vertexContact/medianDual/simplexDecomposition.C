@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 // * * * * * * * * * * * * * * * * Local Data  * * * * * * * * * * * * * * * //
 
@@ -66,9 +65,7 @@ static inline scalar simplexAreas
             const scalar* p = e[i == 3 ? 2 : i == 2 ? 1 : 3];
             const scalar* q = e[i == 3 ? 1 : i == 2 ? 3 : 2];
 
-            area[i][0] = 0.5*(p[1]*q[2] - p[2]*q[1]);
-            area[i][1] = 0.5*(p[2]*q[0] - p[0]*q[2]);
-            area[i][2] = 0.5*(p[0]*q[1] - p[1]*q[0]);
+            elementDual::halfCross(p, q, area[i]);
         }
 
         for (label k = 0; k < 3; ++k)
@@ -269,8 +266,7 @@ Foam::simplexDecomposition::simplexDecomposition
     const scalar step = max(placeTolerance*std::sqrt(shortest), VSMALL);
     const label nNodes = x.size()/nDim;
 
-    labelList order(nNodes);
-    std::iota(order.begin(), order.end(), label(0));
+    labelList order(identity(nNodes));
 
     std::sort
     (

@@ -68,11 +68,7 @@ void Foam::solutionNodes::collapse(const polyMesh& mesh)
 {
     const pointField& points = mesh.points();
 
-    labelList parent(points.size());
-    forAll(parent, pointi)
-    {
-        parent[pointi] = pointi;
-    }
+    labelList parent(identity(points.size()));
 
     for (const face& f : mesh.faces())
     {
