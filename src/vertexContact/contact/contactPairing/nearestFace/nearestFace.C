@@ -197,13 +197,7 @@ Foam::contactFaceList Foam::contactPairings::nearestFace::oppositeFaces
         {
             if (box.overlaps(o.box))
             {
-                some.append
-                (
-                    contactSurface::face
-                    (
-                        plus_, plusCorners_, o.face, !bonded_
-                    )
-                );
+                some.append(plusFace(o));
             }
         }
         sent[i].transfer(some);
@@ -244,16 +238,8 @@ Foam::scalar Foam::contactPairings::nearestFace::clearance
                     areNeighbours(a, b)
                  || !mayEverMeet
                     (
-                        contactSurface::face
-                        (
-                            minus_, minusCorners_, a.face, !bonded_
-                        ),
-                        received.size()
-                      ? received[b.face]
-                      : contactSurface::face
-                        (
-                            plus_, plusCorners_, b.face, !bonded_
-                        )
+                        minusFace(a),
+                        received.size() ? received[b.face] : plusFace(b)
                     )
                 )
             )
@@ -346,22 +332,13 @@ void Foam::contactPairings::nearestFace::pairFaces
 
         // The order of sums must not depend on the grid
         Foam::sort(found);
-        const contactFace face
-        (
-            contactSurface::face(minus_, minusCorners_, a.face, !bonded_)
-        );
+        const contactFace face(minusFace(a));
         for (const label i : found)
         {
             if (where.size() && where[i] < 0)
             {
                 where[i] = faces.size();
-                faces.append
-                (
-                    contactSurface::face
-                    (
-                        plus_, plusCorners_, others[i].face, !bonded_
-                    )
-                );
+                faces.append(plusFace(others[i]));
             }
             const contactFace& b =
                 where.size() ? faces[where[i]] : received[others[i].face];
