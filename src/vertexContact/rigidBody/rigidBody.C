@@ -90,17 +90,16 @@ void Foam::rigidBody::readFreedoms
     }
 
     // Directions that the scene has
-    bool solved[3] = {};
-    for (label i = 0; i < nDim_; ++i) solved[dual_.directions()[i]] = true;
+    const vector solved(dual_.projected(vector::one));
     translation_ = tensor::zero;
     label nAxes = 0;
     axis_ = vector::zero;
     for (label i = 0; i < 3; ++i)
     {
-        if (solved[i] && translates[i] > 0) translation_[4*i] = 1;
+        if (solved[i] > 0 && translates[i] > 0) translation_[4*i] = 1;
 
         const bool possible =
-            nDim_ == 3 || (nDim_ == 2 && !solved[i]);
+            nDim_ == 3 || (nDim_ == 2 && solved[i] == 0);
         if (possible && turns[i] > 0)
         {
             ++nAxes;

@@ -78,14 +78,12 @@ void Foam::solidBody::checkMotions() const
 
         for (const vector& direction : motion->directions())
         {
-            vector out(direction);
             wordList valid(dual_.nDim());
             for (label i = 0; i < dual_.nDim(); ++i)
             {
-                out[dir[i]] = 0;
                 valid[i] = word(vector::componentNames[dir[i]]);
             }
-            if (mag(out) > leaves)
+            if (mag(direction - dual_.projected(direction)) > leaves)
             {
                 FatalFileErrorInFunction(pointUFile_)
                     << "Keyword 'boundaryField': patch '" << pf.patch().name()

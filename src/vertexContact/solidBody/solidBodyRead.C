@@ -232,9 +232,7 @@ void Foam::solidBody::readState()
     scalar lost = 0;
     for (const vector& v : pointU_.primitiveField())
     {
-        vector rest(v);
-        for (label i = 0; i < d; ++i) rest[dir[i]] = 0;
-        lost = max(lost, mag(rest));
+        lost = max(lost, mag(v - dual_.projected(v)));
     }
     reduce(lost, maxOp<scalar>());
     if (lost > largestRemoved*data_.cp)
