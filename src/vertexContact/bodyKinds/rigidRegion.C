@@ -76,14 +76,7 @@ void Foam::rigidRegion::makeRigid()
     for (const dualPatch& patch : dual_.patches())
     {
         if (!mirrorPatches_.found(patch.patchIndex)) continue;
-        vector n(Zero);
-        forAll(patch.cornerNode, k)
-        {
-            n +=
-                patch.cornerArea[k]
-               *expand(patch.cornerNormal.cdata() + k*dual_.nDim());
-        }
-        reduce(n, sumOp<vector>());
+        const vector n(dual_.areaVector(patch));
         if (mag(n) > 0) normals.append(n/mag(n));
     }
     rigid_.reset(new rigidBody(dict, dual_, vectorField(normals)));
@@ -108,7 +101,7 @@ void Foam::rigidRegion::makeRigid()
         {
             compliance[k] =
                 data_.rho*area
-               *rigid_->compliance(reference(patch.cornerNode[k]));
+               *rigid_->compliance(dual_.position(patch.cornerNode[k]));
         }
     }
 }
@@ -133,7 +126,7 @@ void Foam::rigidRegion::fitRigid()
     {
         const scalar V = ownedVolume_[a];
         mass += V;
-        meanX += V*(reference(a) - rigid_->start());
+        meanX += V*(dual_.position(a) - rigid_->start());
         meanU += V*displacement(a);
         meanV += V*speed(a);
     }
@@ -148,7 +141,7 @@ void Foam::rigidRegion::fitRigid()
     forAll(ownedVolume_, a)
     {
         const scalar V = ownedVolume_[a];
-        const vector r(reference(a) - rigid_->start() - meanX);
+        const vector r(dual_.position(a) - rigid_->start() - meanX);
         const vector y(r + displacement(a) - meanU);
         const vector v(speed(a) - meanV);
         turned += V*(y*r);
@@ -164,14 +157,10 @@ void Foam::rigidRegion::fitRigid()
     // The nearest rotation, by Newton's method for the polar decomposition.
     // Directions that are left out keep theirs
     const scalar size = mag(turned);
+    const vector solved(dual_.projected(vector::one));
     for (direction c = 0; c < 3; ++c)
     {
-        bool solved = false;
-        for (label i = 0; i < d; ++i)
-        {
-            solved = solved || dual_.directions()[i] == label(c);
-        }
-        if (!solved)
+        if (solved[c] == 0)
         {
             turned[4*c] = size;
             own[4*c] = max(own[4*c], SMALL*mag(own) + VSMALL);
@@ -205,7 +194,7 @@ void Foam::rigidRegion::fitRigid()
         scalar lost = 0;
         forAll(ownedVolume_, a)
         {
-            const vector r(R & (reference(a) - rigid_->start()));
+            const vector r(R & (dual_.position(a) - rigid_->start()));
             lost +=
                 ownedVolume_[a]
                *magSqr(speed(a) - its.velocity - (its.spin ^ r));
@@ -228,7 +217,7 @@ void Foam::rigidRegion::placeNode
 {
     const label d = dual_.nDim();
     const FixedList<label, 3>& dir = dual_.directions();
-    const vector r0(reference(a) - rigid_->start());
+    const vector r0(dual_.position(a) - rigid_->start());
     const vector moved((R - tensor::I) & r0);
     const vector r(r0 + moved);
     const vector u(shift + moved);
@@ -362,7 +351,7 @@ void Foam::rigidRegion::checkStart(const scalar time)
     {
         const vector jump
         (
-            dual_.projected(rigid_->awayFromMotion(reference(a), time))
+            dual_.projected(rigid_->awayFromMotion(dual_.position(a), time))
         );
         most = max
         (
@@ -456,12 +445,7 @@ void Foam::rigidRegion::report(Ostream& os) const
 }
 
 
-void Foam::rigidRegion::evaluate
-(
-    const scalar time,
-    const bool,
-    const bool
-)
+void Foam::rigidRegion::evaluate(const scalar time, const bool)
 {
     evaluated_ = true;
     reusable_ = true;
@@ -507,13 +491,10 @@ void Foam::rigidRegion::leap
 )
 {
     const label d = dual_.nDim();
-    for (const label a : contact_.nodes())
+    contact_.forComponents([&](label, const label a, const label i)
     {
-        for (label i = 0; i < d; ++i)
-        {
-            data_.old.lm[a*d + i] = data_.state.lm[a*d + i];
-        }
-    }
+        data_.old.lm[a*d + i] = data_.state.lm[a*d + i];
+    });
     const bool reacts = reactions_.valid();
     rigidBody::reaction held;
     const rigidBody::works sums

@@ -154,8 +154,7 @@ void Foam::variationalBody::holdDissipation()
 void Foam::variationalBody::evaluate
 (
     const scalar time,
-    const bool wavesAnew,
-    const bool
+    const bool wavesAnew
 )
 {
     findForces(time, wavesAnew);

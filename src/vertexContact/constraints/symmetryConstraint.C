@@ -34,11 +34,7 @@ void Foam::symmetryConstraint::findKinks
         {
             kinkCosine_ = cosine;
             kinkedPatch_ = patchi;
-            kink_ = point::zero;
-            for (label j = 0; j < d; ++j)
-            {
-                kink_[dual.directions()[j]] = dual.nodePosition()[a*d + j];
-            }
+            kink_ = dual.position(a);
         }
     }
 }
@@ -232,14 +228,7 @@ Foam::symmetryConstraint::symmetryConstraint
     {
         const dualPatch& patch = dual.patches()[patchIDs[i]];
         areas[i].setSize(dual.nNodes()*d, Zero);
-        forAll(patch.cornerNode, k)
-        {
-            for (label j = 0; j < d; ++j)
-            {
-                areas[i][patch.cornerNode[k]*d + j] +=
-                    patch.cornerArea[k]*patch.cornerNormal[k*d + j];
-            }
-        }
+        patch.addAreas(d, areas[i]);
         dual.sharing().sum(areas[i].data(), d);
         findKinks(dual, patchIDs[i], areas[i]);
     }

@@ -226,13 +226,8 @@ Foam::medianDual::medianDual(const polyMesh& mesh, const cellTreatment cells)
            .bandCompression()
         );
 
-        labelList own(nodes.size());
-        forAll(own, node)
-        {
-            own[node] = node;
-        }
-
-        if (graph.span(newNode) < worthRenumbering*graph.span(own))
+        const scalar own = graph.span(identity(nodes.size()));
+        if (graph.span(newNode) < worthRenumbering*own)
         {
             graph.renumber(newNode);
             decomposition.renumber(newNode);
@@ -343,6 +338,17 @@ Foam::medianDual::medianDual(const polyMesh& mesh, const cellTreatment cells)
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::vector Foam::medianDual::areaVector(const dualPatch& patch) const
+{
+    vector sum(Zero);
+    forAll(patch.cornerArea, k)
+    {
+        sum += patch.cornerArea[k]*cornerNormal(patch, k);
+    }
+    return returnReduce(sum, sumOp<vector>());
+}
+
 
 std::size_t Foam::medianDual::bytes() const
 {

@@ -119,14 +119,12 @@ Foam::boolList Foam::patchRim::corners
     // Call a function for each corner, its edge and its face
     const auto forEdges = [&](const auto& f)
     {
-        label facei = 0;
         patch.forFaces([&](const dualPatch::face& its)
         {
             for (label j = 0; j < its.size; ++j)
             {
-                f(its.start + j, edgeFrom(patch, its, j), facei);
+                f(its.start + j, edgeFrom(patch, its, j), its.index);
             }
-            ++facei;
         });
     };
     facesAt<EdgeMap> edges(4*patch.nFaces());

@@ -78,7 +78,7 @@ Foam::massScaling::massScaling
         body.scaleMass
         (
             factor,
-            record.subOrEmptyDict("region_" + body.name())
+            record.subOrEmptyDict(body.recordName())
                 .getOrDefault<scalar>("massFactor", 1)
         );
         if (!scaled) continue;

@@ -316,15 +316,7 @@ Foam::nodalField Foam::bodyFields::field(const word& name) const
         one
         (
             vector::zero, name, dimVelocity,
-            [&](const label a)
-            {
-                vector v(Zero);
-                for (label k = 0; k < body_.dual().nDim(); ++k)
-                {
-                    v[body_.dual().directions()[k]] = body_.velocity(a, k);
-                }
-                return v;
-            }
+            [&](const label a) { return body_.velocity(a); }
         );
     }
     else if (name.compare(0, 7, "contact") == 0)

@@ -25,8 +25,6 @@ void Foam::bodySurface::findSizes
     const dualPatch& patch
 )
 {
-    const scalar* at = dual.nodePosition().cdata();
-    const label d = dual.nDim();
     patch.forFaces([&](const dualPatch::face& f)
     {
         const label start = f.start, size = f.size;
@@ -34,7 +32,7 @@ void Foam::bodySurface::findSizes
         point centre(Zero);
         for (label j = 0; j < size; ++j)
         {
-            X[j] = dual.expand(at + patch.cornerNode[start + j]*d);
+            X[j] = dual.position(patch.cornerNode[start + j]);
             centre += X[j];
         }
         centre /= size;

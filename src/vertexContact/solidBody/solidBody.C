@@ -276,14 +276,7 @@ void Foam::solidBody::write()
     // Velocity, with its boundary conditions
     {
         vectorField& U = pointU_.primitiveFieldRef();
-        forAll(U, i)
-        {
-            const label a = dual_.pointNode()[i];
-            for (label k = 0; k < dual_.nDim(); ++k)
-            {
-                U[i][dual_.directions()[k]] = velocity(a, k);
-            }
-        }
+        forAll(U, i) U[i] = velocity(dual_.pointNode()[i]);
         pointU_.instance() = time_.timeName();
         pointU_.write();
         writtenTimes::check(pointU_);

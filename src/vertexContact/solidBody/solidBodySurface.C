@@ -59,14 +59,7 @@ void Foam::solidBody::makeCorners()
         // Area vector of the patch at each node: volume over area is half
         // the thickness of the boundary cell
         scalarField area(dual_.nNodes()*d, Zero);
-        forAll(patch.cornerNode, k)
-        {
-            for (label i = 0; i < d; ++i)
-            {
-                area[patch.cornerNode[k]*d + i] +=
-                    patch.cornerArea[k]*patch.cornerNormal[k*d + i];
-            }
-        }
+        patch.addAreas(d, area);
         dual_.sharing().sum(area.data(), d);
 
         bodySurface& its = surfaces_[patchi];

@@ -53,10 +53,7 @@ void Foam::contactSystem::setOpposite()
             boolList& its = corners[side.patchi];
             if (its.empty())
             {
-                its.setSize
-                (
-                    body.corners(side.patchi).geometry.nCorners(), false
-                );
+                its.setSize(side.geometry().nCorners(), false);
             }
             for (const label k : some) its[k] = true;
             all += area;
@@ -77,11 +74,7 @@ void Foam::contactSystem::limitPushes()
     {
         contact.askPushes(pushes_);
     }
-    if (Pstream::parRun())
-    {
-        combineRows(pushes_, plusEqOp<scalar>());
-        scatterRows(pushes_);
-    }
+    if (Pstream::parRun()) combineRowsOnAll(pushes_, plusEqOp<scalar>());
     label place = 0;
     for (contactInterface& contact : interfaces_)
     {
@@ -185,7 +178,7 @@ void Foam::contactSystem::solve(const scalar time, const bool firstStage)
     limitPushes();
     for (contactInterface& contact : interfaces_)
     {
-        contact.solve(time, firstStage);
+        contact.solve(firstStage);
     }
     // In a step of no length nothing touches
     const bool moves = bodies_.size() && bodies_[0].contact().step() > 0;

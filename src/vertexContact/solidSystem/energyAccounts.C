@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "energyAccounts.H"
+#include "rankRows.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -79,8 +80,7 @@ Foam::scalarList Foam::energyAccounts::sums() const
         *sum++ = body.strainEnergy();
         for (const accountEntry& a : accountEntries) *sum++ = account.*a.value;
     }
-    Pstream::listCombineGather(all, plusEqOp<scalar>());
-    Pstream::listCombineScatter(all);
+    combineOnAll(all, plusEqOp<scalar>());
     return all;
 }
 
@@ -195,7 +195,7 @@ void Foam::energyAccounts::read(const dictionary& record)
     continued_ = record.getOrDefault("energiesOn", false);
     for (const solidBody& body : bodies_)
     {
-        continued_ = continued_ && record.found("region_" + body.name());
+        continued_ = continued_ && record.found(body.recordName());
     }
     if (!continued_)
     {
@@ -205,8 +205,7 @@ void Foam::energyAccounts::read(const dictionary& record)
     scalar contactWork = 0, numericalDissipation = 0;
     forAll(bodies_, i)
     {
-        const dictionary& body =
-            record.subDict("region_" + bodies_[i].name());
+        const dictionary& body = record.subDict(bodies_[i].recordName());
         initial_[i] = body.get<scalar>("initialEnergy");
         contactWork += body.getOrDefault<scalar>("contactWork", 0);
         numericalDissipation +=

@@ -33,7 +33,7 @@ void Foam::solidSystem::evaluateForces(const scalar time, const bool moved)
     // Contact is solved with the velocities that all other forces make
     for (leapfrogBody& body : leaping_)
     {
-        body.evaluate(time, choice_.due(), accounts_.on());
+        body.evaluate(time, choice_.due());
     }
 
     // Here: paired after this evaluation, the bodies were evaluated again

@@ -11,8 +11,6 @@
 #include "IStringStream.H"
 #include "OStringStream.H"
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::solidSystem::log()
@@ -132,7 +130,7 @@ bool Foam::solidSystem::writeData(Ostream& os) const
     subCycling_.write(text);
     forAll(bodies_, i)
     {
-        text<< "region_" << bodies_[i].name() << nl << '{' << nl;
+        text<< bodies_[i].recordName() << nl << '{' << nl;
         subCycling_.write(i, text);
         // Reduced, since every rank writes
         accounts_.write(i, text);

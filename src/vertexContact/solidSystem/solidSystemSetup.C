@@ -121,7 +121,7 @@ Foam::dictionary Foam::solidSystem::recordOf
     const dictionary& record
 ) const
 {
-    return record.subOrEmptyDict("region_" + bodies_[bodyi].name());
+    return record.subOrEmptyDict(bodies_[bodyi].recordName());
 }
 
 

@@ -6,6 +6,7 @@
 
 #include "stepChoice.H"
 #include "passTimes.H"
+#include "rankRows.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -79,8 +80,7 @@ Foam::scalar Foam::stepChoice::first()
 Foam::scalarField Foam::stepChoice::ofBodies() const
 {
     scalarField steps(bodyStep_);
-    Pstream::listCombineGather(steps, minEqOp<scalar>());
-    Pstream::listCombineScatter(steps);
+    combineOnAll(steps, minEqOp<scalar>());
     return steps;
 }
 

@@ -7,6 +7,7 @@
 #include "subCycling.H"
 #include "bodiesOfKind.H"
 #include "passTimes.H"
+#include "rankRows.H"
 #include "variationalBody.H"
 #include "wholeSteps.H"
 
@@ -104,8 +105,7 @@ Foam::scalar Foam::subCycling::stableStep
     }
     // Surfaces that meet come no closer in a common step than edges do
     least[2*n] = contacts_.closingTime();
-    Pstream::listCombineGather(least, minEqOp<scalar>());
-    Pstream::listCombineScatter(least);
+    combineOnAll(least, minEqOp<scalar>());
 
     bounds_.now.setSize(n);
     bounds_.longest = least[2*n];
@@ -178,7 +178,7 @@ void Foam::subCycling::evaluate
         blocks[i] = bodies_[i].lastStep();
         leaping_[i].evaluate
         (
-            time - 0.5*(last_.whole - blocks[i]), wavesAnew, accounts_.on()
+            time - 0.5*(last_.whole - blocks[i]), wavesAnew
         );
     }
     if (moved) contacts_.pairMoved(time);
@@ -286,7 +286,7 @@ Foam::label Foam::subCycling::leap
             const bool begins = j % length[i] == 0;
             if (begins && j)
             {
-                leaping_[i].evaluate(timeOf(i, j), false, accounts_.on());
+                leaping_[i].evaluate(timeOf(i, j), false);
                 nBad += bodies_[i].nBad();
             }
             if (begins && length[i] > 1) deforming_[i].startBlock();

@@ -93,22 +93,10 @@ void Foam::bodyInterface::setKernel()
     const solidBody& body = *minus_.body;
 
     // Corners of the minus side that overlap anything, and which they are
-    labelList slots(body.corners(minus_.patchi).geometry.nCorners(), -1);
-    for (const contactOverlap& o : overlaps)
-    {
-        for (label j = 0; j < o.minus.size; ++j) slots[o.minus.corner[j]] = 0;
-    }
-    label n = 0;
-    for (label& slot : slots)
-    {
-        if (slot == 0) slot = n++;
-    }
-    minusCorners_.setSize(n);
-    forAll(slots, k)
-    {
-        if (slots[k] >= 0) minusCorners_[slots[k]] = k;
-    }
-    closed_.setSize(n, false);
+    labelList slots(minus_.geometry().nCorners());
+    minusCorners_ =
+        contactOverlaps::usedCorners(overlaps, &contactOverlap::minus, slots);
+    closed_.setSize(minusCorners_.size(), false);
     if (!pairing_->active()) return;
 
     // Where what is bonded began, of the plus side where it is asked for
@@ -118,8 +106,7 @@ void Foam::bodyInterface::setKernel()
     {
         firstGap.setSize(overlaps.size());
         const labelList& plusCorners = pairing_->plusCorners();
-        const labelList& plusNode =
-            plus_.body->corners(plus_.patchi).geometry.cornerNode;
+        const labelList& plusNode = plus_.geometry().cornerNode;
         plus.setSize(plusCorners.size());
         forAll(plus, i)
         {
@@ -128,8 +115,7 @@ void Foam::bodyInterface::setKernel()
         exchange_.toSlots(plus);
     }
 
-    const labelList& minusNode =
-        body.corners(minus_.patchi).geometry.cornerNode;
+    const labelList& minusNode = minus_.geometry().cornerNode;
     nNodes_ = 1;
     forAll(overlaps, o)
     {
@@ -145,7 +131,14 @@ void Foam::bodyInterface::setKernel()
                    *body.meshPoint(minusNode[over.minus.corner[j]]);
             }
             between = body.dual().projected(between);
-            firstGap[o] = mag(between)*sign(between & referenceNormal(over));
+            const vector n
+            (
+                body.dual().cornerNormal
+                (
+                    minus_.geometry(), over.minus.corner[0]
+                )
+            );
+            firstGap[o] = mag(between)*sign(between & n);
         }
         const label most = max(over.minus.size, over.plus.size);
         nNodes_ = max(nNodes_, most > 2 ? label(4) : most);
@@ -175,20 +168,6 @@ void Foam::bodyInterface::send()
         s.waveFactor = P.waveFactor[k];
     }
     exchange_.toSlots(sent_);
-}
-
-
-Foam::vector Foam::bodyInterface::referenceNormal
-(
-    const contactOverlap& over
-) const
-{
-    const solidBody& body = *minus_.body;
-    const dualPatch& patch = body.corners(minus_.patchi).geometry;
-    return body.expand
-    (
-        patch.cornerNormal.cdata() + body.dual().nDim()*over.minus.corner[0]
-    );
 }
 
 
@@ -350,8 +329,7 @@ void Foam::bodyInterface::remember()
     const bool variational = minus_.body->variational();
     const List<contactOverlap>& overlaps = pairing_->overlaps();
     const bodyContact& contact = minus_.body->contact();
-    const labelList& node =
-        minus_.body->corners(minus_.patchi).geometry.cornerNode;
+    const labelList& node = minus_.geometry().cornerNode;
     forAll(closed_, i)
     {
         const label corner =
@@ -361,7 +339,7 @@ void Foam::bodyInterface::remember()
 }
 
 
-void Foam::bodyInterface::solve(const scalar, const bool firstStage)
+void Foam::bodyInterface::solve(const bool firstStage)
 {
     if (!pairing_->active())
     {

@@ -22,23 +22,19 @@ void Foam::bodyInterface::findStates
 )
 {
     const solidBody& body = *side.body;
-    const dualPatch& patch = body.dual().patches()[side.patchi];
+    const dualPatch& patch = side.geometry();
     const boolList& rim = body.surface(side.patchi).rimNode;
     const bool rigid = body.surface(side.patchi).nodeArea.empty();
     const label d = body.dual().nDim();
-    const scalar* X = body.dual().nodePosition().cdata();
     const scalar* disp = body.state().disp.cdata();
 
     states.setSize(corners.size());
     forAll(corners, i)
     {
         const label k = corners[i], node = patch.cornerNode[k];
-        const vector area
-        (
-            body.currentArea(node, patch.cornerNormal.cdata() + k*d)
-        );
+        const vector area(body.currentArea(patch, k));
         surfaceState& s = states[i];
-        s.x = body.expand(X + node*d) + body.expand(disp + node*d);
+        s.x = body.dual().position(node) + body.expand(disp + node*d);
         s.v = body.contact().velocityWithout(node);
         s.stretch = mag(area);
         s.n = area/s.stretch;
@@ -91,7 +87,7 @@ void Foam::bodyInterface::findValues
     )
     {
         const solidBody& body = *side.body;
-        const labelList& node = body.corners(side.patchi).geometry.cornerNode;
+        const labelList& node = side.geometry().cornerNode;
         its.setSize(corners.size());
         forAll(corners, i) its[i] = of(body, node[corners[i]]);
     };
@@ -513,7 +509,7 @@ void Foam::bodyInterface::tell
 )
 {
     solidBody& body = *side.body;
-    const labelList& cornerNode = body.corners(side.patchi).geometry.cornerNode;
+    const labelList& cornerNode = side.geometry().cornerNode;
     forAll(corners, i)
     {
         const label k = corners[i];
@@ -532,7 +528,7 @@ Foam::scalar Foam::bodyInterface::taken
 )
 {
     const solidBody& body = *side.body;
-    const labelList& node = body.corners(side.patchi).geometry.cornerNode;
+    const labelList& node = side.geometry().cornerNode;
     scalar power = 0;
     forAll(corners, i)
     {
@@ -554,8 +550,7 @@ void Foam::bodyInterface::slideOverlaps
 )
 {
     const auto& kernel = std::get<overlapKernel<nNodes>>(kernels_);
-    const labelList& minusNode =
-        minus_.body->corners(minus_.patchi).geometry.cornerNode;
+    const labelList& minusNode = minus_.geometry().cornerNode;
     slideMemory& memory = minus_.body->contact().slide;
 
     for (const nearBlock<nNodes>& near : nearBlocks<nNodes>())
@@ -681,8 +676,7 @@ void Foam::bodyInterface::slide
     {
         const contactSide& plus = pair->plus_;
         const labelList& corners = pair->pairing_->plusCorners();
-        const labelList& plusNode =
-            plus.body->corners(plus.patchi).geometry.cornerNode;
+        const labelList& plusNode = plus.geometry().cornerNode;
         slideMemory& memory = plus.body->contact().slide;
         forAll(corners, i)
         {

@@ -23,9 +23,7 @@ Foam::contactInterface::account Foam::contactInterface::account::total() const
 
 void Foam::contactInterface::account::total(List<account>& sums)
 {
-    if (!Pstream::parRun()) return;
-    combineRows(sums, plusEqOp<scalar>());
-    scatterRows(sums);
+    if (Pstream::parRun()) combineRowsOnAll(sums, plusEqOp<scalar>());
 }
 
 
@@ -219,8 +217,7 @@ void Foam::contactInterface::tellLost
         return;
     }
     const solidBody& body = *side.body;
-    const dualPatch& patch = body.corners(side.patchi).geometry;
-    const label node = patch.cornerNode[corner];
+    const label node = side.geometry().cornerNode[corner];
     OStringStream os;
     os  << "interface " << name_ << ", region " << body.name() << ", patch "
         << side.patchName << ", node at "

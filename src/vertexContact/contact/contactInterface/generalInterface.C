@@ -7,33 +7,9 @@
 #include "generalInterface.H"
 #include "contactSurface.H"
 #include "pointTree.H"
+#include "rankRows.H"
 #include "solidBody.H"
 #include "ListListOps.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace
-{
-
-using namespace Foam;
-
-//- Values of each, combined over all processors in one exchange
-template<class T, class Combine>
-void everywhere(List<T>& values, const Combine& combine)
-{
-    if (values.empty()) return;
-    Pstream::listCombineGather(values, combine);
-    Pstream::listCombineScatter(values);
-}
-
-void joinBox(boundBox& a, const boundBox& b)
-{
-    a.min() = min(a.min(), b.min());
-    a.max() = max(a.max(), b.max());
-}
-
-} // End anonymous namespace
-
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -53,11 +29,14 @@ Foam::generalInterface::candidates
         // Where regions lie along a direction that is left out does not count
         const medianDual& dual = surfaces_[i].body->dual();
         const boundBox box(motions_[i].box());
-        boxes[i] = boundBox(dual.projected(box.min()), dual.projected(box.max()));
+        boxes[i] = boundBox
+        (
+            dual.projected(box.min()), dual.projected(box.max())
+        );
         mean.velocity += motions[i].velocity/surfaces_.size();
         mean.displacement += motions[i].displacement/surfaces_.size();
     }
-    everywhere(boxes, joinBox);
+    contactSurface::joinOnAll(boxes);
 
     pointField centres(boxes.size());
     scalarField radius(boxes.size());
@@ -74,9 +53,7 @@ Foam::generalInterface::candidates
     HashSet<pairKey, keyHash> near;
     forAll(boxes, i)
     {
-        treeBoundBox around(boxes[i]);
-        around.min() -= radius[i]*vector::one;
-        around.max() += radius[i]*vector::one;
+        const treeBoundBox around(contactSurface::grown(boxes[i], radius[i]));
         for (const label j : tree->findBox(around))
         {
             if
@@ -301,7 +278,7 @@ bool Foam::generalInterface::update(const scalar time, const bool all)
         {
             moved[i] = parts_[i].moved(time, commonOf(keys_[i]));
         }
-        everywhere(moved, [](label& a, const label b) { a |= b; });
+        combineOnAll(moved, [](label& a, const label b) { a |= b; });
     }
 
     // What is there and near stays
@@ -393,7 +370,7 @@ bool Foam::generalInterface::update(const scalar time, const bool all)
     {
         if (again[i]) nearest[i] = parts[i].pairing().nearest();
     }
-    everywhere(nearest, minEqOp<scalar>());
+    combineOnAll(nearest, minEqOp<scalar>());
     forAll(keys, i)
     {
         if (again[i])
@@ -477,7 +454,7 @@ void Foam::generalInterface::limitPushes
 }
 
 
-void Foam::generalInterface::solve(const scalar time, const bool firstStage)
+void Foam::generalInterface::solve(const bool firstStage)
 {
     if (variational())
     {
@@ -485,7 +462,7 @@ void Foam::generalInterface::solve(const scalar time, const bool firstStage)
     }
     else
     {
-        for (bodyInterface* part : acting_) part->solve(time, firstStage);
+        for (bodyInterface* part : acting_) part->solve(firstStage);
     }
     collect();
 }

@@ -209,13 +209,7 @@ void Foam::obstacleInterface::findForces()
         const label k = planes_[i].corner;
         const label node = M.geometry.cornerNode[k];
         contactLaw::problem& p = problems_[i];
-        const vector area
-        (
-            body.currentArea
-            (
-                node, M.geometry.cornerNormal.cdata() + k*body.dual().nDim()
-            )
-        );
+        const vector area(body.currentArea(M.geometry, k));
         const scalar stretch = mag(area);
 
         p.minus.v = body.contact().velocityWithout(node);
@@ -280,7 +274,7 @@ void Foam::obstacleInterface::setObstacle
 void Foam::obstacleInterface::correct(const bool firstStage)
 {
     solidBody& body = *side_.body;
-    const dualPatch& patch = body.corners(side_.patchi).geometry;
+    const dualPatch& patch = side_.geometry();
     forAll(planes_, i)
     {
         const label k = planes_[i].corner;
@@ -313,10 +307,10 @@ Foam::obstacleInterface::obstacleInterface
     cut_(false),
     oldPose_(septernion::I)
 {
-    const dualPatch& patch = side_.body->dual().patches()[side_.patchi];
+    const dualPatch& patch = side_.geometry();
     const contactFaceList faces
     (
-        contactSurface::faces(side_, globalIndex(patch.nCorners()), false)
+        contactSurface::faces(side_, globalIndex(patch.nCorners()))
     );
     forAll(faces, f)
     {
@@ -397,7 +391,7 @@ void Foam::obstacleInterface::findNearest
 ) const
 {
     // The nodes of a patch are asked for once a corner: few, and seldom
-    const dualPatch& patch = side_.body->dual().patches()[side_.patchi];
+    const dualPatch& patch = side_.geometry();
     X.setSize(patch.nCorners());
     forAll(X, k)
     {
@@ -427,7 +421,7 @@ bool Foam::obstacleInterface::outdated(const scalar time)
 
 bool Foam::obstacleInterface::update(const scalar time, const bool)
 {
-    const dualPatch& patch = side_.body->dual().patches()[side_.patchi];
+    const dualPatch& patch = side_.geometry();
     motion_.setTime(time);
     oldPose_ = motion_.pose();
 
@@ -478,13 +472,11 @@ bool Foam::obstacleInterface::update(const scalar time, const bool)
       + surfaceMotion::largestDistance*leastWidth_
       : surfaceMotion::usualDistance*leastWidth_;
     findEdges();
-    boundBox box(sideMotion_.box());
+    const boundBox box(sideMotion_.box());
     reach_.clear();
     if (motion_.moves() && box.min().x() <= box.max().x())
     {
-        box.min() -= allowed_*vector::one;
-        box.max() += allowed_*vector::one;
-        reach_ = box.points();
+        reach_ = contactSurface::grown(box, allowed_).points();
     }
     sideMotion_.start
     (
@@ -496,17 +488,14 @@ bool Foam::obstacleInterface::update(const scalar time, const bool)
 
 void Foam::obstacleInterface::forOpposite(const visitor& visit) const
 {
-    labelList corners(planes_.size());
-    forAll(planes_, i) corners[i] = planes_[i].corner;
-    visit(side_, corners, 0);
+    visit(side_, nearCorners(), 0);
 }
 
 
 void Foam::obstacleInterface::remember()
 {
     const bodyContact& contact = side_.body->contact();
-    const labelList& node =
-        side_.body->corners(side_.patchi).geometry.cornerNode;
+    const labelList& node = side_.geometry().cornerNode;
     forAll(planes_, i) closed_[i] = contact.touches(node[planes_[i].corner]);
 }
 
@@ -543,7 +532,7 @@ void Foam::obstacleInterface::limitPushes(const UList<push>& all, label& place)
 }
 
 
-void Foam::obstacleInterface::solve(const scalar time, const bool firstStage)
+void Foam::obstacleInterface::solve(const bool firstStage)
 {
     if (planes_.empty()) return;
 
@@ -624,8 +613,7 @@ void Foam::obstacleInterface::slide(const scalar middle, const scalar deltaT)
         begin = motion_.poseAt(forceTime_);
         end = motion_.poseAt(forceTime_ + deltaT);
     }
-    const labelList& cornerNode =
-        body.corners(side_.patchi).geometry.cornerNode;
+    const labelList& cornerNode = side_.geometry().cornerNode;
     forAll(planes_, i)
     {
         const contactLaw::problem& p = problems_[i];

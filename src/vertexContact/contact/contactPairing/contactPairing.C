@@ -30,7 +30,7 @@ const Foam::wordList transfers({"conservative", "twoWay"});
 
 Foam::label numberOfCorners(const Foam::contactSide& side)
 {
-    return side.body->dual().patches()[side.patchi].nCorners();
+    return side.geometry().nCorners();
 }
 
 Foam::labelList ranksOf(const Foam::globalIndex& corners)
@@ -71,30 +71,17 @@ void Foam::contactPairing::takeOverlaps(DynamicList<contactOverlap>& overlaps)
     const label firstMinus = minusCorners_.toGlobal(0);
 
     // Corners of the plus side that are asked for, each once: the slots
-    labelList slotOf(plusCorners_.size(), -1);
+    labelList slotOf(plusCorners_.size());
+    const labelList slots
+    (
+        contactOverlaps::usedCorners(overlaps, &contactOverlap::plus, slotOf)
+    );
     for (contactOverlap& o : overlaps)
     {
         for (label j = 0; j < o.minus.size; ++j)
         {
             o.minus.corner[j] -= firstMinus;
         }
-        for (label j = 0; j < o.plus.size; ++j)
-        {
-            slotOf[o.plus.corner[j]] = 0;
-        }
-    }
-    label n = 0;
-    for (label& slot : slotOf)
-    {
-        if (slot == 0) slot = n++;
-    }
-    labelList slots(n);
-    forAll(slotOf, corner)
-    {
-        if (slotOf[corner] >= 0) slots[slotOf[corner]] = corner;
-    }
-    for (contactOverlap& o : overlaps)
-    {
         for (label j = 0; j < o.plus.size; ++j)
         {
             o.plus.corner[j] = slotOf[o.plus.corner[j]];
@@ -135,11 +122,10 @@ void Foam::contactPairing::askFor(const labelList& slots)
             plusCorners_.offset(proc) + plusCorners_.localSize(proc);
         const label start = i;
         while (i < slots.size() && slots[i] < end) ++i;
-        construct[proc] = identity(i - start);
+        construct[proc] = identity(i - start, start);
         wanted[proc].setSize(i - start);
-        forAll(construct[proc], k)
+        forAll(wanted[proc], k)
         {
-            construct[proc][k] += start;
             wanted[proc][k] =
                 slots[start + k] - plusCorners_.offset(proc);
         }
@@ -179,26 +165,10 @@ void Foam::contactPairing::askFor(const labelList& slots)
 }
 
 
-Foam::vector Foam::contactPairing::areaVector(const contactSide& side)
-{
-    const dualPatch& patch = side.body->dual().patches()[side.patchi];
-    const label d = side.body->dual().nDim();
-
-    vector sum(Zero);
-    forAll(patch.cornerArea, k)
-    {
-        sum +=
-            patch.cornerArea[k]
-           *side.body->expand(patch.cornerNormal.cdata() + k*d);
-    }
-    reduce(sum, sumOp<vector>());
-    return sum;
-}
-
-
 Foam::vector Foam::contactPairing::gapDirection(const dictionary& dict) const
 {
-    const vector Sm = areaVector(minus_), Sp = areaVector(plus_);
+    const vector Sm(minus_.body->dual().areaVector(minus_.geometry()));
+    const vector Sp(plus_.body->dual().areaVector(plus_.geometry()));
     vector direction(Zero);
     if (dict.found("direction"))
     {

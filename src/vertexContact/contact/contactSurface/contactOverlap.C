@@ -167,6 +167,30 @@ Foam::contactStencil Foam::contactOverlaps::whole
 }
 
 
+Foam::labelList Foam::contactOverlaps::usedCorners
+(
+    const UList<contactOverlap>& overlaps,
+    contactStencil contactOverlap::* side,
+    labelList& place
+)
+{
+    place = -1;
+    for (const contactOverlap& o : overlaps)
+    {
+        const contactStencil& its = o.*side;
+        for (label j = 0; j < its.size; ++j) place[its.corner[j]] = 0;
+    }
+    DynamicList<label> corners(place.size());
+    forAll(place, k)
+    {
+        if (place[k] < 0) continue;
+        place[k] = corners.size();
+        corners.append(k);
+    }
+    return labelList(corners);
+}
+
+
 void Foam::contactOverlaps::append
 (
     const contactFace& minus,

@@ -104,17 +104,10 @@ struct positions
         return X[node*d + i] + (current ? disp[node*d + i] : 0);
     }
 
-    point reference(const label node) const
-    {
-        return body.expand(X + node*d);
-    }
-
     point operator()(const label node) const
     {
-        return
-            current
-          ? reference(node) + body.expand(disp + node*d)
-          : reference(node);
+        const point x(body.dual().position(node));
+        return current ? x + body.expand(disp + node*d) : x;
     }
 };
 
@@ -129,7 +122,7 @@ contactFace makeFace
 )
 {
     const solidBody& body = *side.body;
-    const dualPatch& patch = body.dual().patches()[side.patchi];
+    const dualPatch& patch = side.geometry();
     const positions at(side, current);
     const scalarField& depth = body.surface(side.patchi).depth;
     const boolList& rim = body.surface(side.patchi).rim;
@@ -147,13 +140,13 @@ contactFace makeFace
     {
         const label k = start + j;
         const label a = patch.cornerNode[k];
-        f.X[j] = at.reference(a);
+        f.X[j] = body.dual().position(a);
         f.x[j] = at(a);
         f.area[j] = patch.cornerArea[k];
         f.depth[j] = depth[k];
         f.rim[j] = rim.size() && rim[k];
         f.ends[j] = ends.size() && ends[k];
-        mean += body.expand(patch.cornerNormal.cdata() + k*at.d);
+        mean += body.dual().cornerNormal(patch, k);
     }
     f.spread = spread(s, f.size, f.area);
     if (f.size == 4)
@@ -194,7 +187,7 @@ void outlines
 )
 {
     const solidBody& body = *side.body;
-    const dualPatch& patch = body.dual().patches()[side.patchi];
+    const dualPatch& patch = side.geometry();
     const positions at(side, current);
     const vector out(contactSurface::outOfPlane(side));
 
@@ -213,9 +206,9 @@ void outlines
         for (label j = 0; j < size; ++j)
         {
             const label a = patch.cornerNode[first + j];
-            X[j] = at.reference(a);
+            X[j] = body.dual().position(a);
             x[j] = at(a);
-            N += body.expand(patch.cornerNormal.cdata() + (first + j)*at.d);
+            N += body.dual().cornerNormal(patch, first + j);
             o.box.add(x[j]);
             o.centre += x[j];
             o.C += X[j];
@@ -238,24 +231,20 @@ void outlines
     }
 }
 
-//- Values of each, combined over all processors
-template<class T, class Combine>
-void overRanks(List<T>& values, const Combine& operation)
-{
-    Pstream::listCombineGather(values, operation);
-    Pstream::listCombineScatter(values);
-}
-
 } // End anonymous namespace
 
 
 // * * * * * * * * * * * * * * * * Functions * * * * * * * * * * * * * * * * //
 
+const Foam::dualPatch& Foam::contactSide::geometry() const
+{
+    return body->dual().patches()[patchi];
+}
+
+
 Foam::vector Foam::contactSurface::outOfPlane(const contactSide& side)
 {
-    const medianDual& dual = side.body->dual();
-    vector e(vector::one);
-    for (label i = 0; i < dual.nDim(); ++i) e[dual.directions()[i]] = 0;
+    const vector e(vector::one - side.body->dual().projected(vector::one));
     for (direction i = 0; i < 3; ++i)
     {
         if (e[i] > 0)
@@ -266,6 +255,12 @@ Foam::vector Foam::contactSurface::outOfPlane(const contactSide& side)
         }
     }
     return vector::zero;
+}
+
+
+void Foam::contactSurface::joinOnAll(List<boundBox>& boxes)
+{
+    combineOnAll(boxes, [](boundBox& a, const boundBox& b) { a.add(b); });
 }
 
 
@@ -331,15 +326,14 @@ Foam::vector Foam::contactSurface::areaNormal
 Foam::contactFaceList Foam::contactSurface::faces
 (
     const contactSide& side,
-    const globalIndex& corners,
-    const bool current
+    const globalIndex& corners
 )
 {
     const vector out(outOfPlane(side));
-    contactFaceList faces(side.body->dual().patches()[side.patchi].nFaces());
+    contactFaceList faces(side.geometry().nFaces());
     forAll(faces, facei)
     {
-        faces[facei] = makeFace(side, corners, out, facei, current);
+        faces[facei] = makeFace(side, corners, out, facei, false);
     }
     return faces;
 }
@@ -396,17 +390,14 @@ Foam::contactSurface::snapshot::snapshot
     motion(motion)
 {
     const positions x(side, current);
-    for (const label a : side.body->dual().patches()[side.patchi].cornerNode)
-    {
-        box.add(x(a));
-    }
+    for (const label a : side.geometry().cornerNode) box.add(x(a));
 }
 
 
 void Foam::contactSurface::snapshot::findFaces(const UList<boundBox>& boxes)
 {
     found = true;
-    const dualPatch& patch = side.body->dual().patches()[side.patchi];
+    const dualPatch& patch = side.geometry();
     const FixedList<label, 3>& directions = side.body->dual().directions();
     const positions x(side, current);
     for (label start = 0; start < patch.nFaces(); start += runLength)
@@ -497,8 +488,7 @@ Foam::contactSurface::bodyMotions(const UList<contactSide>& sides)
             all[i].volume += volume[a];
         }
     }
-    combineRows(all, plusEqOp<scalar>());
-    scatterRows(all);
+    combineRowsOnAll(all, plusEqOp<scalar>());
     forAll(all, i)
     {
         motions[i].velocity = all[i].momentum/all[i].mass;
@@ -526,11 +516,7 @@ Foam::contactSurface::snapshots
         all.set(i, new snapshot(sides[i], current, motions[i]));
         boxes[i] = all[i].box;
     }
-    overRanks(boxes, [](boundBox& a, const boundBox& b)
-    {
-        a.min() = min(a.min(), b.min());
-        a.max() = max(a.max(), b.max());
-    });
+    joinOnAll(boxes);
     forAll(boxes, i) all[i].box = boxes[i];
     return all;
 }
@@ -559,7 +545,7 @@ void Foam::contactSurface::findFaces
         sides[i].findFaces(boxes[i]);
         axes[i] = sides[i].axis;
     }
-    overRanks(axes, plusEqOp<vector>());
+    combineOnAll(axes, plusEqOp<vector>());
 
     // The cone around the mean normal; without one, of all directions
     scalarField least(n, scalar(1));
@@ -573,7 +559,7 @@ void Foam::contactSurface::findFaces
             least[i] = min(least[i], o.n & sides[i].axis);
         }
     }
-    overRanks(least, minEqOp<scalar>());
+    combineOnAll(least, minEqOp<scalar>());
     forAll(least, i)
     {
         if (mag(axes[i]) >= SMALL)
@@ -614,7 +600,7 @@ Foam::contactSurface::snapshot::in(const boundBox& box) const
     }
 
     const FixedList<label, 3>& directions = side.body->dual().directions();
-    const dualPatch& patch = side.body->dual().patches()[side.patchi];
+    const dualPatch& patch = side.geometry();
     const positions x(side, current);
     outlines
     (

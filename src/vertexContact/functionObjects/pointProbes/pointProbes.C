@@ -29,16 +29,8 @@ Foam::List<Foam::scalar> Foam::functionObjects::pointProbes::values
         return components;
     };
 
-    if (field == "pointU")
-    {
-        // That of the fields: momenta of the leapfrog are half a step back
-        vector v(Zero);
-        for (label k = 0; k < d; ++k)
-        {
-            v[body_->dual().directions()[k]] = body_->velocity(node, k);
-        }
-        return listOf(v);
-    }
+    // That of the fields: momenta of the leapfrog are half a step back
+    if (field == "pointU") return listOf(body_->velocity(node));
     if (field == "pointD")
     {
         return listOf(body_->expand(s.disp.cdata() + node*d));
@@ -129,14 +121,8 @@ Foam::functionObjects::pointProbes::pointProbes
     nodes_.setSize(points.size(), -1);
     forAll(points, i)
     {
-        const vector p(body_->dual().projected(points[i]));
-        const auto place = [&](const label a)
-        {
-            return point
-            (
-                body_->expand(dual.nodePosition().cdata() + a*dual.nDim())
-            );
-        };
+        const vector p(dual.projected(points[i]));
+        const auto place = [&](const label a) { return dual.position(a); };
         scalar least = GREAT;
         for (label a = 0; a < dual.nNodes(); ++a)
         {

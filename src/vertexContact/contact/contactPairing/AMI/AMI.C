@@ -44,10 +44,8 @@ struct surface
         const scalar facesGap
     )
     {
-        const medianDual& dual = side.body->dual();
-        const dualPatch& patch = dual.patches()[side.patchi];
-        const polyPatch& pp =
-            side.body->mesh().boundaryMesh()[patch.patchIndex];
+        const dualPatch& patch = side.geometry();
+        const polyPatch& pp = side.body->mesh().boundaryMesh()[side.patchi];
 
         DynamicList<label> facing(all.size());
         forAll(all, f)
@@ -68,9 +66,7 @@ struct surface
 //- In the directions that are left out both sides get the same extent
 void levelThickness(surface& s, const medianDual& dual, const scalar extent)
 {
-    vector out(vector::one);
-    for (label i = 0; i < dual.nDim(); ++i) out[dual.directions()[i]] = 0;
-
+    const vector out(vector::one - dual.projected(vector::one));
     for (direction i = 0; i < 3; ++i)
     {
         if (out[i] > 0)
@@ -149,12 +145,9 @@ Foam::contactPairings::AMI::AMI
     const medianDual& dual = minus.body->dual();
     const contactFaceList minusFaces
     (
-        contactSurface::faces(minus, minusCorners_, false)
+        contactSurface::faces(minus, minusCorners_)
     );
-    contactFaceList plusFaces
-    (
-        contactSurface::faces(plus, plusCorners_, false)
-    );
+    contactFaceList plusFaces(contactSurface::faces(plus, plusCorners_));
     surface source(minus, minusFaces, direction, facesGap);
     surface target(plus, plusFaces, -direction, facesGap);
 

@@ -24,17 +24,12 @@ Foam::labelList Foam::contactPairings::matching::facing
     const vector& direction
 )
 {
-    const dualPatch& patch = side.body->dual().patches()[side.patchi];
-    const label d = side.body->dual().nDim();
-
+    const dualPatch& patch = side.geometry();
     DynamicList<label> corners(patch.nCorners());
     for (label k = 0; k < patch.nCorners(); ++k)
     {
-        const vector N(side.body->expand(patch.cornerNormal.cdata() + k*d));
-        if ((N & direction) > facesGap)
-        {
-            corners.append(k);
-        }
+        const vector N(side.body->dual().cornerNormal(patch, k));
+        if ((N & direction) > facesGap) corners.append(k);
     }
     return labelList(corners);
 }
@@ -49,19 +44,13 @@ void Foam::contactPairings::matching::identify
     scalarField& size
 )
 {
-    const medianDual& dual = side.body->dual();
-    const dualPatch& patch = dual.patches()[side.patchi];
-    const label d = dual.nDim();
-
+    const dualPatch& patch = side.geometry();
     vectorField allPlaces(patch.nCorners());
     scalarField allSizes(patch.nCorners());
 
     const auto X = [&](const label k)
     {
-        const vector x
-        (
-            dual.expand(dual.nodePosition().cdata() + patch.cornerNode[k]*d)
-        );
+        const vector x(side.body->dual().position(patch.cornerNode[k]));
         return vector(x - (x & direction)*direction);
     };
 
@@ -184,7 +173,7 @@ Foam::contactPairings::matching::matching
 
     const auto area = [](const contactSide& side)
     {
-        return side.body->dual().patches()[side.patchi].cornerArea;
+        return side.geometry().cornerArea;
     };
     const auto depth = [](const contactSide& side)
     {

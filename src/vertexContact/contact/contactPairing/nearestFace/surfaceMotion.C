@@ -18,18 +18,12 @@ const Foam::labelList& Foam::surfaceMotion::nodes() const
 void Foam::surfaceMotion::keepNormals()
 {
     const solidBody& body = *side_.body;
-    const dualPatch& patch = body.dual().patches()[side_.patchi];
+    const dualPatch& patch = side_.geometry();
     const label d = body.dual().nDim();
     normal_.setSize(patch.nCorners()*d);
     forAll(patch.cornerNode, k)
     {
-        const vector area
-        (
-            body.currentArea
-            (
-                patch.cornerNode[k], patch.cornerNormal.cdata() + k*d
-            )
-        );
+        const vector area(body.currentArea(patch, k));
         const scalar perArea = 1/max(mag(area), VSMALL);
         for (label i = 0; i < d; ++i)
         {
