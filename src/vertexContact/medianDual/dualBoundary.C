@@ -284,7 +284,6 @@ static void calculatePatch
 
     result.faceStart.setSize(nFaces + 1);
     result.weightStart.setSize(nFaces + 1);
-    result.facePatchFace.setSize(nFaces);
 
     label nCorners = 0;
     label nWeights = 0;
@@ -295,7 +294,6 @@ static void calculatePatch
 
         result.faceStart[facei] = nCorners;
         result.weightStart[facei] = nWeights;
-        result.facePatchFace[facei] = facei;
 
         nCorners += n;
         nWeights += n*n;

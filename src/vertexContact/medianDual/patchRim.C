@@ -105,7 +105,7 @@ Foam::boolList Foam::patchRim::corners
     if (nDim == 2)
     {
         facesAt<Map> points(4*patch.nFaces());
-        for (const label f : patch.facePatchFace)
+        forAll(faces, f)
         {
             for (const label p : faces[f]) points.add(p, n[f]);
         }
@@ -130,7 +130,7 @@ Foam::boolList Foam::patchRim::corners
     facesAt<EdgeMap> edges(4*patch.nFaces());
     forEdges([&](const label, const edge& e, const label f)
     {
-        edges.add(e, n[patch.facePatchFace[f]]);
+        edges.add(e, n[f]);
     });
     syncTools::syncEdgeMap(mesh, edges.face, meet());
     syncTools::syncEdgeMap(mesh, edges.least, minEqOp<vector>());

@@ -44,7 +44,6 @@ struct surface
         const scalar facesGap
     )
     {
-        const dualPatch& patch = side.geometry();
         const polyPatch& pp = side.body->mesh().boundaryMesh()[side.patchi];
 
         DynamicList<label> facing(all.size());
@@ -58,7 +57,7 @@ struct surface
         faces.setSize(index.size());
         forAll(index, f)
         {
-            faces[f] = pp.localFaces()[patch.facePatchFace[index[f]]];
+            faces[f] = pp.localFaces()[index[f]];
         }
     }
 };
