@@ -178,7 +178,7 @@ class variationalKernelTemplate<D, finite>::correctionSums
 
 public:
 
-    correctionSums(vertexData& d, variationalData& x)
+    explicit correctionSums(variationalData& x)
     :
         U_(x.U.cdata()),
         grad_(x.grad.cdata()),
@@ -501,7 +501,7 @@ label variationalKernelTemplate<D, finite>::correctLoop
 )
 {
     if (pass.edge == 0) x.closing = x.fastest = 0;
-    correctionSums<corrects> sums(d, x);
+    correctionSums<corrects> sums(x);
 
     completeNodes complete(x.lateNodes, pass);
     const label firstLate = pass.late;

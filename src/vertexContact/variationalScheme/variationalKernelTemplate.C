@@ -116,7 +116,6 @@ template<int D, bool finite>
 label variationalKernelTemplate<D, finite>::deform
 (
     variationalData& x,
-    const vertexData&,
     const label first,
     const label end
 ) const

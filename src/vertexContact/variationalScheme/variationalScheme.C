@@ -365,7 +365,7 @@ void Foam::variationalScheme::completeLate(const label p, const label end)
         {
             complete(x_.grad, 0);
             complete(x_.grad, variationalLayout::second(d));
-            return kernel_.deform(x_, data_, first, end);
+            return kernel_.deform(x_, first, end);
         });
     }
     else if (p == corrections)

@@ -82,7 +82,7 @@ struct scheme
         kernel->collect(d, x);
         const label nLate = x.lateNodes.size();
         kernel->gradients(x, d, gradients);
-        kernel->deform(x, d, 0, nLate);
+        kernel->deform(x, 0, nLate);
         kernel->correct(d, x, corrections);
         kernel->kinematics(d, x, 0, nLate);
     }
