@@ -83,12 +83,9 @@ void Foam::rigidRegion::makeRigid()
 
     // What contact may push at most
     scalar area = 0;
-    forAll(corners_, patchi)
+    for (const label patchi : contactPatches())
     {
-        if (corners_.set(patchi) && condition(patchi).contact())
-        {
-            area += sum(corners_[patchi].geometry.cornerArea);
-        }
+        area += sum(corners_[patchi].geometry.cornerArea);
     }
     reduce(area, sumOp<scalar>());
     forAll(corners_, patchi)
@@ -326,9 +323,8 @@ void Foam::rigidRegion::setOpposite
     // All of the surface, corners with something opposite, overlaps: these are
     // more where a corner meets several faces, less where they begin
     vector areas(0, 0, area);
-    forAll(corners_, patchi)
+    for (const label patchi : contactPatches())
     {
-        if (!corners_.set(patchi) || !condition(patchi).contact()) continue;
         const scalarField& its = corners_[patchi].geometry.cornerArea;
         const boolList& opposite = corners[patchi];
         forAll(its, k)

@@ -22,10 +22,9 @@ void Foam::variationalBody::findCompliances()
     scalarField area(dual_.nNodes()*d, Zero);
     const auto forCorners = [&](const auto& f)
     {
-        for (const dualPatch& patch : dual_.patches())
+        for (const label patchi : contactPatches())
         {
-            const label patchi = patch.patchIndex;
-            if (!corners_.set(patchi) || !condition(patchi).contact()) continue;
+            const dualPatch& patch = dual_.patches()[patchi];
             forAll(patch.cornerNode, k)
             {
                 f

@@ -339,6 +339,17 @@ Foam::medianDual::medianDual(const polyMesh& mesh, const cellTreatment cells)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::scalarField Foam::medianDual::ownedVolume() const
+{
+    scalarField volume(nodeVolume_);
+    forAll(volume, a)
+    {
+        if (!sharing_->owned()[a]) volume[a] = 0;
+    }
+    return volume;
+}
+
+
 Foam::vector Foam::medianDual::areaVector(const dualPatch& patch) const
 {
     vector sum(Zero);

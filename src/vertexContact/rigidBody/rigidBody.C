@@ -18,8 +18,6 @@ namespace
 
 using namespace Foam;
 
-const char axisNames[] = {'x', 'y', 'z'};
-
 //- Inertia in space of one in the reference configuration
 symmTensor turned(const symmTensor& inertia, const quaternion& q)
 {
@@ -47,7 +45,7 @@ Foam::vector Foam::rigidBody::readDirections
         label which = -1;
         for (label i = 0; i < 3; ++i)
         {
-            if (w == word(string(1, axisNames[i]))) which = i;
+            if (w == vector::componentNames[i]) which = i;
         }
         if (which < 0)
         {
@@ -769,7 +767,7 @@ void Foam::rigidBody::report(Ostream& os) const
     {
         if (translation_[4*i] > 0.5)
         {
-            os  << (first ? "" : " ") << axisNames[i];
+            os  << (first ? "" : " ") << vector::componentNames[i];
             first = false;
         }
     }

@@ -86,13 +86,8 @@ Foam::rigidMass::rigidMass(const dictionary& dict, const medianDual& dual)
 
     const polyMesh& mesh = dual.mesh();
     const label d = dual.nDim();
-    scalar volume = 0;
-    const auto& owned = dual.sharing().owned();
-    forAll(owned, a)
-    {
-        if (owned[a]) volume += dual.nodeVolume()[a];
-    }
-    reduce(volume, sumOp<scalar>());
+    const scalar volume =
+        returnReduce(sum(dual.ownedVolume()), sumOp<scalar>());
 
     // About the middle of the mesh, which is not far from the origin
     moments m(integrals(mesh, mesh.bounds().midpoint()));

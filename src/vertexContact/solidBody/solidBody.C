@@ -95,13 +95,9 @@ Foam::solidBody::solidBody
     corners_(mesh_.boundaryMesh().size()),
     surfaces_(mesh_.boundaryMesh().size()),
     gravity_(dual_.nDim(), Zero),
-    ownedVolume_(dual_.nodeVolume()),
+    ownedVolume_(dual_.ownedVolume()),
     contact_(data_, symmetry_, held_)
 {
-    forAll(ownedVolume_, a)
-    {
-        if (!dual_.sharing().owned()[a]) ownedVolume_[a] = 0;
-    }
     makeCorners();
     checkMotions();
 }

@@ -157,12 +157,7 @@ Foam::nodeSelection::nodeSelection(const solidBody& body)
     body_(&body),
     name_(body.name())
 {
-    scalarField weights(body.dual().nodeVolume());
-    forAll(weights, a)
-    {
-        if (!body.dual().sharing().owned()[a]) weights[a] = 0;
-    }
-    setNodes(weights);
+    setNodes(body.dual().ownedVolume());
 }
 
 

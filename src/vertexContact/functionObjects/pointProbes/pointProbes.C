@@ -114,7 +114,7 @@ Foam::functionObjects::pointProbes::pointProbes
     const scalar asNear = 1 + 1e-6;
     const auto first = [](const point& a, const point& b)
     {
-        return before(a, b) ? a : b;
+        return medianDual::before(a, b) ? a : b;
     };
     const pointField points(dict.get<pointField>("points"));
     const medianDual& dual = body_->dual();
@@ -135,7 +135,7 @@ Foam::functionObjects::pointProbes::pointProbes
             if
             (
                 mag(place(a) - p) <= asNear*least
-             && (node < 0 || before(place(a), place(node)))
+             && (node < 0 || medianDual::before(place(a), place(node)))
             )
             {
                 node = a;

@@ -46,7 +46,10 @@ void Foam::functionObjects::solidExtremes::observe()
                 {
                     return
                         than >= 0
-                     && before(body.meshPoint(a), body.meshPoint(than));
+                     && medianDual::before
+                        (
+                            body.meshPoint(a), body.meshPoint(than)
+                        );
                 };
                 scalar& low = both[0].value;
                 if (value < low || (value == low && first(least)))
@@ -102,7 +105,10 @@ Foam::scalarList Foam::functionObjects::solidExtremes::whole() const
                     *one == *b
                  && (
                         one[1] < b[1]
-                     || (one[1] == b[1] && before(place(one), place(b)))
+                     || (
+                            one[1] == b[1]
+                         && medianDual::before(place(one), place(b))
+                        )
                     )
                 )
             )

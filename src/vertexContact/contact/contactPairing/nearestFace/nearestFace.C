@@ -67,16 +67,6 @@ bool close(const contactFace& a, const contactFace& b, const vector& n)
      && ((b.centre() - a.centre()) & n) >= -0.5*(a.depth[0] + b.depth[0]);
 }
 
-//- Lexicographic
-bool before(const point& a, const point& b)
-{
-    for (direction i = 0; i < 3; ++i)
-    {
-        if (a[i] != b[i]) return a[i] < b[i];
-    }
-    return false;
-}
-
 //- An order of the faces of a surface that is the same on any number of ranks:
 //  that of their first nodes in the mesh. Those that have it in common never
 //  meet
@@ -86,11 +76,10 @@ bool before(const contactFace& a, const contactFace& b)
     {
         return *std::min_element
         (
-            face.X.begin(), face.X.begin() + face.size,
-            [](const point& x, const point& y) { return before(x, y); }
+            face.X.begin(), face.X.begin() + face.size, medianDual::before
         );
     };
-    return before(first(a), first(b));
+    return medianDual::before(first(a), first(b));
 }
 
 //- Whether two faces of one body may ever be in contact
