@@ -72,6 +72,25 @@ def test_plane_wave(tmp_path, figures):
                  case.momentumOf("block")[-1, 0]/speed, 1, 0.02)
 
 
+def test_ball_in_two_dimensions(tmp_path, figures):
+    """The mesh of a plane cuts a curved obstacle in its middle: there a ball is
+    as a cylinder through it."""
+    ends = {}
+    for name, obstacle in (
+            ("ball", {"type": "sphere", "origin": (0.5, -1, 0), "radius": 1}),
+            ("cylinder", {"type": "cylinder", "point1": (0.5, -1, -2),
+                          "point2": (0.5, -1, 2), "radius": 1})):
+        body = Body(cells=(4, 4), name="block", start=(0, 0.01, -0.5),
+                    velocity=(0, -0.2, 0), material=RUBBER,
+                    sides={"bottom": "contact"})
+        case = fall(tmp_path/name, body, obstacle=obstacle, preset=DEFAULT)
+        ends[name] = case.at("pointD", region="block")
+    with figures("a ball in two dimensions") as f:
+        f.atLeast("displacement, largest", largest(ends["cylinder"]), 0.05)
+        f.atMost("displacement less that on a cylinder, largest",
+                 largest(ends["ball"] - ends["cylinder"]), 1e-12)
+
+
 @pytest.mark.parametrize("shape", SHAPES)
 @pytest.mark.parametrize("ranks", (1, 2))
 def test_impulse_of_any_shape(tmp_path, figures, shape, ranks):

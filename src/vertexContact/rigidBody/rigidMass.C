@@ -29,20 +29,33 @@ struct moments
     vector first = vector::zero;
     symmTensor second = symmTensor::zero;
 
-    //- Of the tetrahedron with the origin: means of x and x x over it
-    void add(const vector& a, const vector& b, const vector& c)
+    //- Of the tetrahedron with the origin: means of x and x x over it.
+    //  Directions that are left out have no squares: those of a thick mesh
+    //  would hide the others
+    void add
+    (
+        const medianDual& dual,
+        const vector& a,
+        const vector& b,
+        const vector& c
+    )
     {
+        const auto square = [&](const vector& v)
+        {
+            return sqr(dual.projected(v));
+        };
         const scalar V = ((a ^ b) & c)/6;
         const vector sum(a + b + c);
         volume += V;
         first += V/4*sum;
-        second += V/20*(sqr(a) + sqr(b) + sqr(c) + sqr(sum));
+        second += V/20*(square(a) + square(b) + square(c) + square(sum));
     }
 };
 
 //- Of all processors, about a point. Collective
-moments integrals(const polyMesh& mesh, const point& origin)
+moments integrals(const medianDual& dual, const point& origin)
 {
+    const polyMesh& mesh = dual.mesh();
     moments m;
     for (const polyPatch& pp : mesh.boundaryMesh())
     {
@@ -56,6 +69,7 @@ moments integrals(const polyMesh& mesh, const point& origin)
             {
                 m.add
                 (
+                    dual,
                     middle,
                     mesh.points()[f[i]] - origin,
                     mesh.points()[f.nextLabel(i)] - origin
@@ -90,9 +104,9 @@ Foam::rigidMass::rigidMass(const dictionary& dict, const medianDual& dual)
         returnReduce(sum(dual.ownedVolume()), sumOp<scalar>());
 
     // About the middle of the mesh, which is not far from the origin
-    moments m(integrals(mesh, mesh.bounds().midpoint()));
+    moments m(integrals(dual, mesh.bounds().midpoint()));
     const point middle(mesh.bounds().midpoint() + m.first/m.volume);
-    m = integrals(mesh, middle);
+    m = integrals(dual, middle);
     centre = dual.projected(middle);
 
     if (dict.found("rho") == dict.found("mass"))

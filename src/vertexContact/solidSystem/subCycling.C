@@ -80,11 +80,10 @@ Foam::scalarField Foam::subCycling::countNodes
     {
         // Of a rigid region none is evaluated
         if (bodies[i].rigid()) continue;
-        for (const bool mine : bodies[i].dual().sharing().owned())
-        {
-            if (mine) ++nodes[i];
-        }
-        reduce(nodes[i], sumOp<scalar>());
+        nodes[i] = returnReduce
+        (
+            scalar(bodies[i].dual().sharing().owned().count()), sumOp<scalar>()
+        );
     }
     return nodes;
 }

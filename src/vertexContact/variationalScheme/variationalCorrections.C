@@ -178,7 +178,7 @@ class variationalKernelTemplate<D, finite>::correctionSums
 
 public:
 
-    explicit correctionSums(variationalData& x)
+    correctionSums(const vertexData& d, variationalData& x)
     :
         U_(x.U.cdata()),
         grad_(x.grad.cdata()),
@@ -501,7 +501,7 @@ label variationalKernelTemplate<D, finite>::correctLoop
 )
 {
     if (pass.edge == 0) x.closing = x.fastest = 0;
-    correctionSums<corrects> sums(x);
+    correctionSums<corrects> sums(d, x);
 
     completeNodes complete(x.lateNodes, pass);
     const label firstLate = pass.late;

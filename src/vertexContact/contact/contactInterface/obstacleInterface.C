@@ -390,14 +390,18 @@ void Foam::obstacleInterface::findNearest
     vectorField& normals
 ) const
 {
-    // The nodes of a patch are asked for once a corner: few, and seldom
+    // The nodes of a patch are asked for once a corner: few, and seldom. In two
+    // dimensions they are in the middle of the mesh
     const dualPatch& patch = side_.geometry();
+    const medianDual& dual = side_.body->dual();
+    const point middle(dual.mesh().bounds().midpoint());
+    const vector leftOut(middle - dual.projected(middle));
     X.setSize(patch.nCorners());
     forAll(X, k)
     {
         X[k] = motion_.pose().invTransformPoint
         (
-            side_.body->position(patch.cornerNode[k])
+            dual.projected(side_.body->position(patch.cornerNode[k])) + leftOut
         );
     }
     nearestTo(X, hits, normals);
