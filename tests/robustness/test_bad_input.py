@@ -592,14 +592,15 @@ def test_start_fields_are_those_of_the_list(case):
              "-": "0 0 0 0 0 0 0", "K": "0 0 0 1 0 0 0"}
     values = {"scalar": "300", "vector": "(0 0 0)",
               "tensor": "(1 0 0 0 1 0 0 0 1)", "symmTensor": "(1 0 0 1 0 1)"}
-    assert len(rows) == 7
+    assert len(rows) == 9
     elastic = (case/material).read_text()
     edit(contact, {"interfaces/bars/law/type": "Coulomb",
                    "interfaces/bars/law/frictionCoeff": 0.3})(case)
     for name, unit, kind in rows:
         if name == "pointU":
             continue
-        if name in ("CpInv", "epsilonPEq", "pointT"):
+        if name in ("CpInv", "elasticStrain", "epsilonPEq", "pointT",
+                    "jumpShare"):
             plastic("tauY 1; adiabaticHeating { cp 400; }")(case)
         else:
             (case/material).write_text(elastic)

@@ -150,6 +150,24 @@ def test_metal_that_was_bent(tmp_path, figures, cells):
         f.equal("names the strain", "elasticStrain" in case.output, True)
 
 
+def test_metal_that_has_not_flowed(tmp_path, figures):
+    """It begins as elastic bodies do: without a plastic state."""
+    metal = {"type": "HenckyVonMises", "rho": 1, "E": 1, "nu": 0.3, "tauY": 10}
+
+    def block(n):
+        return Body(cells=(n, n), material=metal, sides={"bottom": HELD})
+    g = {"gravity": (0, -0.1, 0)}
+    source = make(tmp_path/"source", block(4), 10.0, **g).run()
+    case = mapped(source, make(tmp_path/"case", block(8), 0.1, **g)).run()
+    one = np.array((1, 0, 0, 1, 0, 1))
+    with figures("mapState of a metal that has not flowed") as f:
+        f.atLeast("displacement at the start, largest",
+                  largest(case.at("pointD", "0")), 0.01)
+        f.atMost("CpInv less I", largest(case.at("CpInv") - one), 1e-14)
+        f.atMost("displacement of the held side at the start", largest(
+            case.at("pointD", "0")[case.X()[:, 1] == 0]), 0)
+
+
 @pytest.mark.parametrize("dimensions", (2, 3))
 def test_on_two_ranks(tmp_path, figures, dimensions):
     """A case that is decomposed gets what it gets before it is."""

@@ -193,6 +193,39 @@ def test_metal_that_does_not_flow(tmp_path, figures):
                  largest(runs["HenckyVonMises"].at("pointU")), 1e-7)
 
 
+@pytest.mark.parametrize("cells", ((8, 6), (5, 4, 3)), ids=str)
+def test_metal_that_is_bent_to_and_fro(tmp_path, figures, cells):
+    """Flow one way and back, of one side against the other: its work never
+    falls, nor what the scheme takes, and energies balance, on ranks as well."""
+    def bent(folder, name):
+        body = Body(cells, material={
+            "type": "HenckyVonMises", "rho": 1, "E": 1, "nu": 0.3,
+            "tauY": 0.01, "Hardening": 0.05}, sides={
+                "left": condition("fixedVelocity", velocity=(0, 0, 0)),
+                "right": condition("fixedDisplacement", displacement=table(
+                    *((t, (0, 0.3*np.sin(np.pi*t/20)**3, 0))
+                      for t in np.linspace(0, 60, 241))))})
+        return defaultCase(folder/name, body, 60.0)
+    run = bent(tmp_path, "run").run()
+    ranks = bent(tmp_path, "ranks").runParallel(2)
+    work = run.energies["body:plasticDissipation"]
+    share = run.at("jumpShare")
+    with figures(f"scenes, metal that is bent to and fro, {cells}") as f:
+        f.atLeast("plastic strain, largest", run.at("epsilonPEq").max(), 0.3)
+        f.atMost("share of the stiffness of jumps, least", share.min(), 0.3)
+        for name in "plasticDissipation", "numericalDissipation":
+            f.atMost(f"largest fall of {name} / plastic work",
+                     -np.diff(run.energies[f"body:{name}"]).min()/work[-1],
+                     1e-6)
+        f.atMost("balance / plastic work",
+                 largest(run.energies["body:balance"])/work[-1], 1e-3)
+        f.atMost("energies on two ranks less those / plastic work", max(
+            largest(ranks.energies[f"body:{name}"]
+                    - run.energies[f"body:{name}"]) for name in (
+                        "strain", "plasticDissipation", "balance"))/work[-1],
+                 1e-11)
+
+
 # Impacts of elastic bodies
 
 def ball(centre, size):

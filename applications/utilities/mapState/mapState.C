@@ -14,13 +14,15 @@ Description
     with the boundary conditions of this case, pointD, F0, epsilonPEq, pointT,
     and contactSlide, which is what friction remembers. Of a metal that has
     flowed the elastic strain (elasticStrain), to which the solver makes CpInv:
-    where the other case has F, for both; else its CpInv, with determinant 1
-    again. What else a run keeps (contactStatus, acceleration) begins anew.
+    where the other case has F, for both, and CpInv is not I everywhere; else
+    its CpInv, with determinant 1 again. What else a run keeps (contactStatus,
+    acceleration, jumpShare) begins anew.
 
     They go from point to point (pointMapping) in the reference configuration,
     that of the meshes as they were made, displacements with their gradient F -
-    I where the other case has it. The solver makes momentum and F anew. Regions
-    that only this case has begin as they would.
+    I where the other case has it: patches that move as one stay so. The solver
+    makes momentum and F anew. Regions that only this case has begin as they
+    would.
 
 Usage
     \b mapState <case> [-sourceTime <time>]
@@ -65,6 +67,9 @@ using namespace Foam;
 
 namespace
 {
+
+//- Of CpInv, by how much it may be off I with six digits
+constexpr scalar roundedStretch = 1e-5;
 
 //- What a field has to keep of its own: of CpInv the determinant
 template<class Type>
@@ -255,6 +260,41 @@ word mapField
 }
 
 
+//- All of a patch has the same displacement
+bool movesAsOne(const polyPatch& pp, const vectorField& displacement)
+{
+    scalar most = 0;
+    for (const label p : pp.meshPoints())
+    {
+        most = max
+        (
+            most, mag(displacement[p] - displacement[pp.meshPoints()[0]])
+        );
+    }
+    return most == 0;
+}
+
+
+//- A side that moves as one has no derivatives along it
+void holdSides
+(
+    tensorField& gradient,
+    const vectorField& displacement,
+    const polyMesh& mesh
+)
+{
+    for (const polyPatch& pp : mesh.boundaryMesh())
+    {
+        if (isA<emptyPolyPatch>(pp) || !movesAsOne(pp, displacement)) continue;
+        forAll(pp.meshPoints(), k)
+        {
+            tensor& G = gradient[pp.meshPoints()[k]];
+            G = G & sqr(pp.pointNormals()[k]);
+        }
+    }
+}
+
+
 //- Leave out of a displacement what alternates from point to point. Its own
 //  mesh hardly sees it, and where metal flows it costs next to nothing; a finer
 //  mesh would make strains of it.
@@ -273,9 +313,10 @@ void smooth
     for (const polyPatch& pp : mesh.boundaryMesh())
     {
         if (isA<emptyPolyPatch>(pp)) continue;
+        const bool held = movesAsOne(pp, displacement);
         for (const label p : pp.meshPoints())
         {
-            side[p] = side[p] == inside ? pp.index() : manySides;
+            side[p] = side[p] == inside && !held ? pp.index() : manySides;
         }
     }
 
@@ -309,10 +350,19 @@ void smooth
 }
 
 
-//- Whether the elastic strain of a region of the other case can be had
+//- Whether a region of the other case is of metal that has flowed, and its
+//  elastic strain can be had
 bool hasElasticStrain(const polyMesh& source)
 {
-    return has("F", source) && has("CpInv", source);
+    symmTensorField CpInv;
+    if (!has("F", source) || !has("CpInv", source)) return false;
+    readValues("CpInv", source, CpInv);
+    scalar flown = 0;
+    for (const symmTensor& C : CpInv)
+    {
+        flown = max(flown, mag(C - symmTensor(symmTensor::I)));
+    }
+    return flown > roundedStretch;
 }
 
 
@@ -332,6 +382,7 @@ word mapDisplacement
         if (!readValues("pointD", source, values)) return word();
         readValues("F", source, gradient);
         gradient -= tensor(tensor::I);
+        if (gradient.size()) holdSides(gradient, values, source);
         if (hasElasticStrain(source)) smooth(values, gradient, source);
     }
     return writeValues

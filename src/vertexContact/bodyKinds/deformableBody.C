@@ -89,7 +89,7 @@ void Foam::deformableBody::refusePlasticState() const
         if
         (
             readIfPresent<symmTensor>(name, dimless, &file).valid()
-         && file != regionFiles::sharedField(name, mesh_)
+         && isOwn(name, file)
         )
         {
             FatalFileErrorInFunction(file)
@@ -103,6 +103,47 @@ void Foam::deformableBody::refusePlasticState() const
 }
 
 
+bool Foam::deformableBody::isOwn(const word& name, const fileName& file) const
+{
+    return file != regionFiles::sharedField(name, mesh_);
+}
+
+
+Foam::symmTensor Foam::deformableBody::plasticPart
+(
+    const symmTensor& strain,
+    const label node,
+    const fileName& file
+) const
+{
+    const label d = dual_.nDim();
+    const FixedList<label, 3> dir(allDirections());
+    const tensor full(strain);
+    scalar other = d == 1 ? mag(full[4*dir[1]] - full[4*dir[2]]) : 0;
+    for (label i = 0; i < 3; ++i)
+    {
+        for (label j = max(i + 1, d); j < 3; ++j)
+        {
+            other = max(other, mag(full[3*dir[i] + dir[j]]));
+        }
+    }
+    if (other > roundedStretch)
+    {
+        FatalFileErrorInFunction(file)
+            << "Keyword 'internalField': elasticStrain is " << strain << " at "
+            << meshPoint(node) << ": directions that are left out must not be "
+            << "sheared, and two of them must have the same stretch"
+            << exit(FatalIOError);
+    }
+    tensor F(deformationGradient(node));
+    if (material_->initial().on())
+    {
+        F = F & inSpace(material_->initial().value(node));
+    }
+    return elasticStrain::plasticPart(F, strain);
+}
+
+
 void Foam::deformableBody::readPlasticState(const bool undeformed)
 {
     conservedState& s = data_.state;
@@ -113,10 +154,17 @@ void Foam::deformableBody::readPlasticState(const bool undeformed)
 
     // Also where this processor has no node of the body
     fileName CFile;
-    const auto C = readIfPresent<symmTensor>("CpInv", dimless, &CFile);
+    auto C = readIfPresent<symmTensor>("CpInv", dimless, &CFile);
     fileName elasticFile;
-    const auto elastic =
+    auto elastic =
         readIfPresent<symmTensor>("elasticStrain", dimless, &elasticFile);
+
+    // The region's own goes before that of the case
+    const bool both = C.valid() && elastic.valid();
+    const bool CIsOwn = isOwn("CpInv", CFile);
+    const bool elasticIsOwn = isOwn("elasticStrain", elasticFile);
+    if (both && CIsOwn && !elasticIsOwn) elastic.clear();
+    if (both && elasticIsOwn && !CIsOwn) C.clear();
     if (C.valid() && elastic.valid())
     {
         FatalFileErrorInFunction(elasticFile)
@@ -176,17 +224,12 @@ void Foam::deformableBody::readPlasticState(const bool undeformed)
         }
         else if (elastic.valid())
         {
-            tensor F(deformationGradient(a));
-            if (material_->initial().on())
-            {
-                F = F & inSpace(material_->initial().value(a));
-            }
             store
             (
                 a,
-                elasticStrain::plasticPart
+                plasticPart
                 (
-                    F, elastic().primitiveField()[point[a]]
+                    elastic().primitiveField()[point[a]], a, elasticFile
                 )
             );
         }
@@ -196,12 +239,29 @@ void Foam::deformableBody::readPlasticState(const bool undeformed)
         }
     }
 
-    material_->findJumpShares(s);
+    fileName shareFile;
+    const auto share = readIfPresent<scalar>("jumpShare", dimless, &shareFile);
+    forAll(s.jumpShare, a)
+    {
+        s.jumpShare[a] =
+            share.valid()
+          ? share().primitiveField()[point[a]]
+          : material_->jumpShare(s, a);
+        if (!(s.jumpShare[a] >= 0 && s.jumpShare[a] <= 1))
+        {
+            FatalFileErrorInFunction(shareFile)
+                << "Keyword 'internalField': a share is " << s.jumpShare[a]
+                << ", it must be from 0 to 1" << exit(FatalIOError);
+        }
+    }
 
     // The file, also where this processor has no node of the body
     const bool stretched = material_->initial().on();
     fileName file(elastic.valid() ? elasticFile : CFile);
-    if (stretched) readIfPresent<tensor>("F0", dimless, &file);
+    if (stretched && !elastic.valid())
+    {
+        readIfPresent<tensor>("F0", dimless, &file);
+    }
     const bool strained = stretched || C.valid() || elastic.valid();
     for (label a = 0; a < n && undeformed && strained; ++a)
     {
@@ -244,12 +304,21 @@ Foam::scalar Foam::deformableBody::timeScale(const bool anew)
 }
 
 
-Foam::scalar Foam::deformableBody::commitPlasticity()
+void Foam::deformableBody::commitPlasticity(bodyPowers& accounts)
 {
-    return
-        material_->plastic()
-      ? material_->commit(data_.state, ownedVolume_)
-      : 0;
+    if (!material_->plastic()) return;
+    conservedState& s = data_.state;
+    accounts.plastic += material_->commit(s, ownedVolume_);
+
+    // What has flowed resists less; not more again, which would give energy
+    forAll(s.jumpShare, a)
+    {
+        if (!(s.flow.increment[a] > 0)) continue;
+        const scalar before = s.jumpShare[a];
+        s.jumpShare[a] = min(before, material_->jumpShare(s, a));
+        accounts.numericalDissipation +=
+            ownedVolume_[a]*(before - s.jumpShare[a])*s.flow.jumpEnergy[a];
+    }
 }
 
 

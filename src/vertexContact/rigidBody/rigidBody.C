@@ -606,7 +606,11 @@ Foam::rigidBody::works Foam::rigidBody::leap
     }
     else if (motion_.valid())
     {
-        now_.middle = slerp(now_.q, pose.r(), 0.5);
+        // Half way, without the loss of digits of an arc cosine
+        const quaternion& end = pose.r();
+        now_.middle +=
+            (now_.q.w()*end.w() + (now_.q.v() & end.v()) < 0 ? -1.0 : 1.0)*end;
+        now_.middle /= mag(now_.middle);
         now_.q = pose.r();
         if (energy && Pstream::master())
         {

@@ -163,6 +163,14 @@ void Foam::bodyFields::visitFields(const Use& use) const
             scalar(0), "epsilonPEq", dimless,
             [&](const label a) { return s.epsilonPEq[a]; }
         );
+        if (s.jumpShare.size())
+        {
+            use
+            (
+                scalar(0), "jumpShare", dimless,
+                [&](const label a) { return s.jumpShare[a]; }
+            );
+        }
         if (material.initialTemperature() > 0)
         {
             use

@@ -162,6 +162,11 @@ Foam::keywordList Foam::regionFiles::startFields()
         },
         {"pointT", "K", "scalar", "temperature; with adiabaticHeating"},
         {
+            "jumpShare", "-", "scalar",
+            "how much of its stiffness metal has on the scale of cells; "
+            "written by runs"
+        },
+        {
             "contactSlide", "m", "vector",
             "what friction remembers; written by runs and mapState"
         }

@@ -137,9 +137,9 @@ void Foam::solidSystem::settle(const label nBad)
 
     forAll(bodies_, i)
     {
-        accounts_[i].plastic += passTimes::timed(passTimes::plasticity, [&]
+        passTimes::timed(passTimes::plasticity, [&]
         {
-            return bodies_[i].commitPlasticity();
+            bodies_[i].commitPlasticity(accounts_[i]);
         });
     }
 }

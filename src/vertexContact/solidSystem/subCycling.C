@@ -298,10 +298,10 @@ Foam::label Foam::subCycling::leap
             forAll(bodies_, i)
             {
                 if (j % length[i]) continue;
-                accounts_[i].plastic += passTimes::timed
+                passTimes::timed
                 (
                     passTimes::plasticity,
-                    [&] { return bodies_[i].commitPlasticity(); }
+                    [&] { bodies_[i].commitPlasticity(accounts_[i]); }
                 );
             }
             solve

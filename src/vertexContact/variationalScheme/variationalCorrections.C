@@ -187,8 +187,8 @@ public:
         jumpModulus_(x.jumpModulus),
         share_
         (
-            d.state.flow.jumpShare.size()
-          ? d.state.flow.jumpShare.cdata()
+            d.state.jumpShare.size()
+          ? d.state.jumpShare.cdata()
           : nullptr
         ),
         correction_(x.adjoint.data()),

@@ -441,55 +441,48 @@ TEST_CASE("jumps yield as the law does in one direction", "[materials][serial]")
 {
     const auto model(materialFrom(linear));
     plasticPoint<3> point(*model);
-    point.s.keepFlow();
-    REQUIRE(point.s.flow.jumpShare.size() == 1);
-    CHECK(point.s.flow.jumpShare[0] == 1);
-    constexpr scalar energy = 0.25;
-    scalar given = 0, before = 1;
+    scalar before = 1;
     for (const scalar e : {0.002, 0.01, 0.1, 0.5})
     {
         // Isochoric, of an equivalent strain e
-        const SolidTensor<3> F
+        point.step
         (
             diagonal(std::exp(e), std::exp(-0.5*e), std::exp(-0.5*e))
         );
-        point.s.flow.jumpEnergy[0] = energy;
-        point.deform(F);
-        point.s.sinceCommit = 1;
-        point.stress();
-        const scalar dissipated = model->commit(point.s, point.one);
         const scalar strain = exactStrain(e);
-        const scalar share = point.s.flow.jumpShare[0];
         CHECK(point.strain() == Approx(strain).margin(1e-12));
 
-        // The secant of stress and strain
+        // The secant of stress and plastic strain, with a measure of the latter
+        // that is not more
         const scalar sinh2 =
             sqr(std::sinh(strain)) + 2*sqr(std::sinh(0.5*strain));
-        const scalar plastic = std::sqrt(2*sinh2/3);
+        const scalar plastic = std::asinh(std::sqrt(2*sinh2/3));
+        CHECK(plastic <= strain*(1 + 1e-12));
+        CHECK(plastic >= 0.95*strain);
+        const scalar share = model->jumpShare(point.s, 0);
         CHECK
         (
             share
          == Approx(strain > 0 ? point.q()/(point.q() + 3*mu*plastic) : 1)
         );
         CHECK(share <= before);
-        CHECK(dissipated >= (before - share)*energy);
         before = share;
-        given += dissipated;
     }
-    const scalar strain = point.strain();
-    CHECK(before == Approx(0.025).epsilon(0.2));
+    CHECK(before == Approx(0.025).epsilon(0.1));
 
-    // The flow's, with mean stresses from step to step, and that of the jumps
-    CHECK
-    (
-        given
-     == Approx(tauY*strain + 0.5*slope*sqr(strain) + (1 - before)*energy)
-    );
+    // In a file with six digits the determinant is not quite one
+    scalar* C = point.s.Cpi.data();
+    for (int k = 0; k < 6; ++k) C[k] *= 1 + 3e-6;
+    CHECK(model->jumpShare(point.s, 0) == Approx(before).epsilon(1e-5));
 
-    // From the state, as a run that goes on has it
-    point.s.flow.jumpShare = scalar(1);
-    model->findJumpShares(point.s);
-    CHECK(point.s.flow.jumpShare[0] == before);
+    // Flow of before the mesh was made is none of its strain, and an initial
+    // stress is no flow
+    C[0] = C[3] = C[5] = 1;
+    CHECK(model->jumpShare(point.s, 0) == 1);
+    C[0] = 1.01;
+    C[3] = 1/1.01;
+    point.s.epsilonPEq = Zero;
+    CHECK(model->jumpShare(point.s, 0) == 1);
 }
 
 

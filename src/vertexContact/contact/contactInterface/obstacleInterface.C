@@ -114,7 +114,7 @@ void Foam::obstacleInterface::findEdges()
     label n = 0;
     for (const plane& its : planes_)
     {
-        const point X(cornerOf(its));
+        const point X(placeOf(its.corner));
         for (label i = 0; i < d; ++i)
         {
             vector e(Zero);
@@ -151,7 +151,7 @@ void Foam::obstacleInterface::followEdges()
     if (atEdges_.empty()) return;
 
     pointField X(atEdges_.size());
-    forAll(X, k) X[k] = cornerOf(planes_[atEdges_[k]]);
+    forAll(X, k) X[k] = placeOf(planes_[atEdges_[k]].corner);
     List<pointIndexHit> hits;
     vectorField normals;
     nearestTo(X, hits, normals);
@@ -165,11 +165,14 @@ void Foam::obstacleInterface::followEdges()
 }
 
 
-Foam::point Foam::obstacleInterface::cornerOf(const plane& its) const
+Foam::point Foam::obstacleInterface::placeOf(const label corner) const
 {
+    const medianDual& dual = side_.body->dual();
+    const point middle(dual.mesh().bounds().midpoint());
     return motion_.pose().invTransformPoint
     (
-        contactSurface::place(side_, its.corner).x
+        contactSurface::place(side_, corner).x
+      + middle - dual.projected(middle)
     );
 }
 
@@ -262,7 +265,7 @@ void Foam::obstacleInterface::setObstacle
 {
     const septernion& pose = motion_.pose();
     const plane& its = planes_[i];
-    const point X(cornerOf(its));
+    const point X(placeOf(its.corner));
     p.plus = acousticRiemann::rigidSide(p.minus, motion_.velocity(X));
 
     // Out of the body
@@ -390,20 +393,9 @@ void Foam::obstacleInterface::findNearest
     vectorField& normals
 ) const
 {
-    // The nodes of a patch are asked for once a corner: few, and seldom. In two
-    // dimensions they are in the middle of the mesh
-    const dualPatch& patch = side_.geometry();
-    const medianDual& dual = side_.body->dual();
-    const point middle(dual.mesh().bounds().midpoint());
-    const vector leftOut(middle - dual.projected(middle));
-    X.setSize(patch.nCorners());
-    forAll(X, k)
-    {
-        X[k] = motion_.pose().invTransformPoint
-        (
-            dual.projected(side_.body->position(patch.cornerNode[k])) + leftOut
-        );
-    }
+    // The nodes of a patch are asked for once a corner: few, and seldom
+    X.setSize(side_.geometry().nCorners());
+    forAll(X, k) X[k] = placeOf(k);
     nearestTo(X, hits, normals);
 }
 

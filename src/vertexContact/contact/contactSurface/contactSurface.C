@@ -281,7 +281,10 @@ Foam::surfacePlace Foam::contactSurface::place
     const cornerStates& c = side.body->corners(side.patchi);
     return
     {
-        side.body->position(c.geometry.cornerNode[corner]),
+        side.body->dual().projected
+        (
+            side.body->position(c.geometry.cornerNode[corner])
+        ),
         c.n[corner],
         c.stretch[corner]
     };

@@ -149,18 +149,9 @@ Foam::scalar Foam::HenckyVonMises::jumpShare
     const label node
 ) const
 {
-    const scalar strain = plasticStrain(s, node);
+    const scalar strain = min(plasticStrain(s, node), s.epsilonPEq[node]);
     const scalar y = max(yieldStress(s.epsilonPEq[node]), scalar(0));
     return strain > 0 ? y/(y + 3*mu()*strain) : 1;
-}
-
-
-void Foam::HenckyVonMises::findJumpShares(conservedState& s) const
-{
-    forAll(s.flow.jumpShare, i)
-    {
-        s.flow.jumpShare[i] = jumpShare(s, i);
-    }
 }
 
 
@@ -210,16 +201,8 @@ Foam::scalar Foam::HenckyVonMises::takeFlow
 ) const
 {
     s.epsilonPEq[i] += increment;
-    scalar lost = work;
-    if (s.flow.jumpShare.size())
-    {
-        scalar& share = s.flow.jumpShare[i];
-        const scalar before = share;
-        share = jumpShare(s, i);
-        lost += (before - share)*s.flow.jumpEnergy[i];
-    }
-    if (s.temperature.size()) s.temperature[i] += heatPerWork_*lost;
-    return weight*lost;
+    if (s.temperature.size()) s.temperature[i] += heatPerWork_*work;
+    return weight*work;
 }
 
 
