@@ -149,9 +149,12 @@ Foam::scalar Foam::HenckyVonMises::jumpShare
     const label node
 ) const
 {
-    const scalar strain = min(plasticStrain(s, node), s.epsilonPEq[node]);
-    const scalar y = max(yieldStress(s.epsilonPEq[node]), scalar(0));
-    return strain > 0 ? y/(y + 3*mu()*strain) : 1;
+    const scalar flown =
+        3*mu()*min(plasticStrain(s, node), s.epsilonPEq[node]);
+    const scalar y = yieldStress(s.epsilonPEq[node]);
+    const scalar elastic =
+        flown > 0 ? (flown < y ? 1 - flown/y : scalar(0)) : scalar(1);
+    return tangentShare_ + (1 - tangentShare_)*elastic;
 }
 
 
@@ -341,6 +344,8 @@ Foam::HenckyVonMises::HenckyVonMises
             << exit(FatalIOError);
     }
     readHeating(dict);
+    const scalar slope = max(yieldStress(1) - yieldStress(0), scalar(0));
+    tangentShare_ = slope/(3*mu() + slope);
 }
 
 
