@@ -47,7 +47,7 @@ def test_decompositions(run, tmp_path, figures, scene):
                     # A gap is a difference of positions of two bodies, and
                     # strains are some hundred times more in a share
                     scale = (moved if file.name == "contactGap"
-                             else 100 if file.name == "jumpShare"
+                             else 100 if file.name == "hourglassShare"
                              else largest(a))
                     error = largest(a - b)/max(scale, 1e-12)
                     if error >= worst:

@@ -600,7 +600,7 @@ def test_start_fields_are_those_of_the_list(case):
         if name == "pointU":
             continue
         if name in ("CpInv", "elasticStrain", "epsilonPEq", "pointT",
-                    "jumpShare"):
+                    "hourglassShare"):
             plastic("tauY 1; adiabaticHeating { cp 400; }")(case)
         else:
             (case/material).write_text(elastic)

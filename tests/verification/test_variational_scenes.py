@@ -209,7 +209,7 @@ def test_metal_that_is_bent_to_and_fro(tmp_path, figures, cells):
     run = bent(tmp_path, "run").run()
     ranks = bent(tmp_path, "ranks").runParallel(2)
     work = run.energies["body:plasticDissipation"]
-    share = run.at("jumpShare")
+    share = run.at("hourglassShare")
     with figures(f"scenes, metal that is bent to and fro, {cells}") as f:
         f.atLeast("plastic strain, largest", run.at("epsilonPEq").max(), 0.3)
         f.atMost("share of the stiffness of jumps, least", share.min(), 0.3)

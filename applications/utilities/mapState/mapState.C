@@ -16,7 +16,7 @@ Description
     flowed the elastic strain (elasticStrain), to which the solver makes CpInv:
     where the other case has F, for both, and CpInv is not I everywhere; else
     its CpInv, with determinant 1 again. What else a run keeps (contactStatus,
-    acceleration, jumpShare) begins anew.
+    acceleration, hourglassShare) begins anew.
 
     They go from point to point (pointMapping) in the reference configuration,
     that of the meshes as they were made, displacements with their gradient F -
@@ -43,6 +43,7 @@ Usage
 
 SourceFiles
     mapState.C
+    displacementFilter.C
     pointMapping.C
 
 \*---------------------------------------------------------------------------*/
@@ -55,8 +56,8 @@ SourceFiles
 #include "regionFiles.H"
 #include "systemChecks.H"
 #include "dictionaryCheck.H"
+#include "displacementFilter.H"
 #include "elasticStrain.H"
-#include "emptyPolyPatch.H"
 #include "syncTools.H"
 #include "writtenTimes.H"
 #include "fileOperation.H"
@@ -260,96 +261,6 @@ word mapField
 }
 
 
-//- All of a patch has the same displacement
-bool movesAsOne(const polyPatch& pp, const vectorField& displacement)
-{
-    scalar most = 0;
-    for (const label p : pp.meshPoints())
-    {
-        most = max
-        (
-            most, mag(displacement[p] - displacement[pp.meshPoints()[0]])
-        );
-    }
-    return most == 0;
-}
-
-
-//- A side that moves as one has no derivatives along it
-void holdSides
-(
-    tensorField& gradient,
-    const vectorField& displacement,
-    const polyMesh& mesh
-)
-{
-    for (const polyPatch& pp : mesh.boundaryMesh())
-    {
-        if (isA<emptyPolyPatch>(pp) || !movesAsOne(pp, displacement)) continue;
-        forAll(pp.meshPoints(), k)
-        {
-            tensor& G = gradient[pp.meshPoints()[k]];
-            G = G & sqr(pp.pointNormals()[k]);
-        }
-    }
-}
-
-
-//- Leave out of a displacement what alternates from point to point. Its own
-//  mesh hardly sees it, and where metal flows it costs next to nothing; a finer
-//  mesh would make strains of it.
-//  Points in a surface move with those of the surface, its edges and corners
-//  not at all.
-//  \param gradient  of the displacement, as points see it
-void smooth
-(
-    vectorField& displacement,
-    const tensorField& gradient,
-    const polyMesh& mesh
-)
-{
-    constexpr label inside = -1, manySides = -2;
-    labelList side(mesh.nPoints(), inside);
-    for (const polyPatch& pp : mesh.boundaryMesh())
-    {
-        if (isA<emptyPolyPatch>(pp)) continue;
-        const bool held = movesAsOne(pp, displacement);
-        for (const label p : pp.meshPoints())
-        {
-            side[p] = side[p] == inside && !held ? pp.index() : manySides;
-        }
-    }
-
-    // Twice as far as a point is off, with the other sign
-    vectorField jumps(mesh.nPoints(), Zero);
-    labelList n(mesh.nPoints(), Zero);
-    const Vector<label>& solved = mesh.solutionD();
-    for (const edge& e : mesh.edges())
-    {
-        vector r(e.vec(mesh.points()));
-        const scalar length = mag(r);
-        for (direction i = 0; i < 3; ++i) if (solved[i] < 0) r[i] = 0;
-        if (mag(r) < 0.5*length) continue;
-        const vector jump
-        (
-            displacement[e.second()] - displacement[e.first()]
-          - 0.5*((gradient[e.first()] + gradient[e.second()]) & r)
-        );
-        for (const label k : {0, 1})
-        {
-            const label p = e[k], other = e[1 - k];
-            if (side[p] != inside && side[p] != side[other]) continue;
-            jumps[p] += k == 0 ? jump : -jump;
-            ++n[p];
-        }
-    }
-    forAll(displacement, p)
-    {
-        if (side[p] != manySides && n[p]) displacement[p] += 0.5*jumps[p]/n[p];
-    }
-}
-
-
 //- Whether a region of the other case is of metal that has flowed, and its
 //  elastic strain can be had
 bool hasElasticStrain(const polyMesh& source)
@@ -382,8 +293,14 @@ word mapDisplacement
         if (!readValues("pointD", source, values)) return word();
         readValues("F", source, gradient);
         gradient -= tensor(tensor::I);
-        if (gradient.size()) holdSides(gradient, values, source);
-        if (hasElasticStrain(source)) smooth(values, gradient, source);
+        if (gradient.size())
+        {
+            displacementFilter::holdSides(gradient, values, source);
+        }
+        if (hasElasticStrain(source))
+        {
+            displacementFilter::smooth(values, gradient, source);
+        }
     }
     return writeValues
     (

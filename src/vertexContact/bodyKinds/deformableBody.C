@@ -240,17 +240,18 @@ void Foam::deformableBody::readPlasticState(const bool undeformed)
     }
 
     fileName shareFile;
-    const auto share = readIfPresent<scalar>("jumpShare", dimless, &shareFile);
-    forAll(s.jumpShare, a)
+    const auto share =
+        readIfPresent<scalar>("hourglassShare", dimless, &shareFile);
+    forAll(s.hourglassShare, a)
     {
-        s.jumpShare[a] =
+        s.hourglassShare[a] =
             share.valid()
           ? share().primitiveField()[point[a]]
-          : material_->jumpShare(s, a);
-        if (!(s.jumpShare[a] >= 0 && s.jumpShare[a] <= 1))
+          : material_->hourglassShare(s, a);
+        if (!(s.hourglassShare[a] >= 0 && s.hourglassShare[a] <= 1))
         {
             FatalFileErrorInFunction(shareFile)
-                << "Keyword 'internalField': a share is " << s.jumpShare[a]
+                << "Keyword 'internalField': a share is " << s.hourglassShare[a]
                 << ", it must be from 0 to 1" << exit(FatalIOError);
         }
     }
@@ -311,13 +312,13 @@ void Foam::deformableBody::commitPlasticity(bodyPowers& accounts)
     accounts.plastic += material_->commit(s, ownedVolume_);
 
     // What has flowed resists less; not more again, which would give energy
-    forAll(s.jumpShare, a)
+    forAll(s.hourglassShare, a)
     {
         if (!(s.flow.increment[a] > 0)) continue;
-        const scalar before = s.jumpShare[a];
-        s.jumpShare[a] = min(before, material_->jumpShare(s, a));
+        const scalar before = s.hourglassShare[a];
+        s.hourglassShare[a] = min(before, material_->hourglassShare(s, a));
         accounts.numericalDissipation +=
-            ownedVolume_[a]*(before - s.jumpShare[a])*s.flow.jumpEnergy[a];
+            ownedVolume_[a]*(before - s.hourglassShare[a])*s.flow.jumpEnergy[a];
     }
 }
 

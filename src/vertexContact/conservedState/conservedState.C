@@ -81,7 +81,7 @@ void Foam::conservedState::keepFlow()
     flow.work.setSize(nNodes, Zero);
     flow.Cpi.setSize(Cpi.size(), Zero);
     if (nDim < 2) return;
-    jumpShare.setSize(nNodes, scalar(1));
+    hourglassShare.setSize(nNodes, scalar(1));
     flow.jumpEnergy.setSize(nNodes, Zero);
 }
 
@@ -127,7 +127,7 @@ std::size_t Foam::conservedState::bytes() const
             lm.size() + disp.size() + F.size() + H.size() + J.size()
           + Cpi.size() + epsilonPEq.size() + temperature.size()
           + flow.increment.size() + flow.work.size() + flow.Cpi.size()
-          + jumpShare.size() + flow.jumpEnergy.size()
+          + hourglassShare.size() + flow.jumpEnergy.size()
         );
 }
 

@@ -163,12 +163,12 @@ void Foam::bodyFields::visitFields(const Use& use) const
             scalar(0), "epsilonPEq", dimless,
             [&](const label a) { return s.epsilonPEq[a]; }
         );
-        if (s.jumpShare.size())
+        if (s.hourglassShare.size())
         {
             use
             (
-                scalar(0), "jumpShare", dimless,
-                [&](const label a) { return s.jumpShare[a]; }
+                scalar(0), "hourglassShare", dimless,
+                [&](const label a) { return s.hourglassShare[a]; }
             );
         }
         if (material.initialTemperature() > 0)

@@ -162,9 +162,9 @@ Foam::keywordList Foam::regionFiles::startFields()
         },
         {"pointT", "K", "scalar", "temperature; with adiabaticHeating"},
         {
-            "jumpShare", "-", "scalar",
-            "how much of its stiffness metal has on the scale of cells; "
-            "written by runs"
+            "hourglassShare", "-", "scalar",
+            "stiffness of metal against hourglass modes, over the elastic "
+            "one; written by runs"
         },
         {
             "contactSlide", "m", "vector",

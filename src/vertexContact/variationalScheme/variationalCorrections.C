@@ -187,8 +187,8 @@ public:
         jumpModulus_(x.jumpModulus),
         share_
         (
-            d.state.jumpShare.size()
-          ? d.state.jumpShare.cdata()
+            d.state.hourglassShare.size()
+          ? d.state.hourglassShare.cdata()
           : nullptr
         ),
         correction_(x.adjoint.data()),

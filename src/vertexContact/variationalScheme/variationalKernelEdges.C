@@ -173,7 +173,7 @@ scalar variationalKernelTemplate<D, finite>::jumpEnergy
     const label* edge = d.dual.edgeNodes().cdata();
     const scalar* U = x.U.cdata();
     const scalar* grad = x.grad.cdata();
-    const scalarField& share = d.state.jumpShare;
+    const scalarField& share = d.state.hourglassShare;
     scalar energy = 0;
     for (index e = 0; e < d.dual.nEdges(); ++e)
     {

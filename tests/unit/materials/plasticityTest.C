@@ -460,7 +460,7 @@ TEST_CASE("jumps yield as nodes do", "[materials][serial]")
         const scalar plastic = std::asinh(std::sqrt(2*sinh2/3));
         CHECK(plastic <= strain*(1 + 1e-12));
         CHECK(plastic >= 0.95*strain);
-        const scalar share = model->jumpShare(point.s, 0);
+        const scalar share = model->hourglassShare(point.s, 0);
         const scalar elastic = max(1 - 3*mu*plastic/point.q(), scalar(0));
         CHECK
         (
@@ -475,16 +475,16 @@ TEST_CASE("jumps yield as nodes do", "[materials][serial]")
     // In a file with six digits the determinant is not quite one
     scalar* C = point.s.Cpi.data();
     for (int k = 0; k < 6; ++k) C[k] *= 1 + 3e-6;
-    CHECK(model->jumpShare(point.s, 0) == Approx(before));
+    CHECK(model->hourglassShare(point.s, 0) == Approx(before));
 
     // Flow of before the mesh was made is none of its strain, and an initial
     // stress is no flow
     C[0] = C[3] = C[5] = 1;
-    CHECK(model->jumpShare(point.s, 0) == 1);
+    CHECK(model->hourglassShare(point.s, 0) == 1);
     C[0] = 1.01;
     C[3] = 1/1.01;
     point.s.epsilonPEq = Zero;
-    CHECK(model->jumpShare(point.s, 0) == 1);
+    CHECK(model->hourglassShare(point.s, 0) == 1);
 }
 
 

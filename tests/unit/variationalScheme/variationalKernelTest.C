@@ -405,12 +405,12 @@ TEST_CASE("jumps of the positions have an energy", "[variational][serial]")
             if (flown)
             {
                 // Nodes have shares of their own
-                s.d.state.jumpShare.setSize(s.n);
+                s.d.state.hourglassShare.setSize(s.n);
                 s.d.state.flow.jumpEnergy.setSize(s.n);
                 const scalarField share(s.random(7, 0.5));
                 for (label a = 0; a < s.n; ++a)
                 {
-                    s.d.state.jumpShare[a] = 0.5 + share[a];
+                    s.d.state.hourglassShare[a] = 0.5 + share[a];
                 }
             }
             const auto energy = [&](const scalar share)
@@ -438,7 +438,7 @@ TEST_CASE("jumps of the positions have an energy", "[variational][serial]")
             {
                 held +=
                     s.dual.nodeVolume()[a]
-                   *s.d.state.jumpShare[a]*s.d.state.flow.jumpEnergy[a];
+                   *s.d.state.hourglassShare[a]*s.d.state.flow.jumpEnergy[a];
             }
             if (flown) CHECK(held == Approx(energy(0)).epsilon(1e-10));
         }

@@ -143,7 +143,7 @@ void Foam::HenckyVonMises::stressLoop
 }
 
 
-Foam::scalar Foam::HenckyVonMises::jumpShare
+Foam::scalar Foam::HenckyVonMises::hourglassShare
 (
     const conservedState& s,
     const label node
