@@ -308,7 +308,7 @@ def reference(case, rows):
 
 
 # Where the rows of trade.csv and peers.csv were measured, but for CalculiX
-MACHINE = "an Intel Xeon with AVX-512"
+MACHINE = "an AMD EPYC with AVX-512"
 
 PEERS = f"""## Against plain finite elements
 
