@@ -428,6 +428,10 @@ CASES = {
     "longest step of no length": (
         edit("system/controlDict", {"maxDeltaT": 0}),
         ("controlDict", "maxDeltaT", "0", "positive")),
+    **{f"fixed step of {step} s": (
+        edit("system/controlDict", {"adjustTimeStep": False, "deltaT": step}),
+        ("controlDict", "deltaT", str(step), "positive"))
+       for step in (0, -0.1)},
     "mass scaling that is a number": (
         edit("system/controlDict", {"massScaling": 1e-7}),
         ("controlDict", "massScaling", "dictionary")),

@@ -50,6 +50,14 @@ Foam::stepControl::stepControl(const Time& runTime, const preset& defaults)
     (
         minDeltaT(0) >= 0, dict(), "minDeltaT", minDeltaT(0), "at least 0"
     );
+    if (!adjusts())
+    {
+        const scalar deltaT = dict().get<scalar>("deltaT");
+        dictionaryCheck::require
+        (
+            deltaT > 0, dict(), "deltaT", deltaT, "positive"
+        );
+    }
     maxDeltaT();
     logInterval();
     dictionaryCheck::require
