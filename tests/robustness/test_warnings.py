@@ -6,7 +6,8 @@ import pytest
 
 from vertexContactTests.caseTools import DEFAULT, PRESET
 from vertexContactTests.smallCases import (ELASTIC, RUBBER, Body, SmallCase,
-                                           condition, coulomb, interface)
+                                           condition, coulomb, interface,
+                                           turned)
 from vertexContactTests.stability.free import rubber
 from vertexContactTests.stability.impacts import bar, ends, mach, outer
 from vertexContactTests.stability.judge import STOPPED
@@ -190,6 +191,21 @@ def test_gain_of_energy(tmp_path, reconstruction):
     gains = np.max(E - np.minimum.accumulate(E)) > 0.02*E[0]
     assert gains == (reconstruction == "full")
     assert ("of its energy from the fluxes" in output) == gains
+
+
+@pytest.mark.parametrize("control", ({}, {"maxEnergyRise": 1e-3}))
+def test_energies_that_are_round_off(tmp_path, control):
+    """A block that begins turned and hardly moves: its energy is round-off, of
+    either sign, and no reason for a warning."""
+    case = SmallCase(tmp_path, Body(
+        cells=(3, 3), material=RUBBER,
+        displacement=lambda X: turned(X, (0, 0, 1), 0.4) - X,
+        velocity=lambda X: 1e-10*np.sin(3*X)),
+        3, control={"maxCo": 0.9, "logInterval": 1, **control}, preset=DEFAULT)
+    code, output = case.attempt()
+    assert code == 0, output
+    assert np.max(np.abs(case.totalEnergy)) < 1e-14
+    assert "Warning" not in output, output
 
 
 @pytest.mark.parametrize("v", (0, 1e-3))

@@ -37,6 +37,9 @@ constexpr accountEntry accountEntries[] =
 
 #undef accountOf
 
+//- Round-off of the strain energy, by mass and the square of the speed of waves
+constexpr scalar roundOff = 1e-14;
+
 //- Work of contact [J]. What it gives to fluxes of the paper's scheme, and they
 //  take at once, is no gain
 scalar netOf(const scalar contactWork, const scalar numericalDissipation)
@@ -55,6 +58,7 @@ void Foam::bodyEnergies::operator+=(const bodyEnergies& e)
     swing += e.swing;
     strain += e.strain;
     balance += e.balance;
+    roundOff += e.roundOff;
     for (const accountEntry& a : accountEntries) this->*a.energy += e.*a.energy;
 }
 
@@ -97,7 +101,8 @@ Foam::energyAccounts::energyAccounts
     leaping_(leaping),
     accounts_(bodies.size()),
     old_(bodies.size()),
-    initial_(bodies.size(), scalar(0))
+    initial_(bodies.size(), scalar(0)),
+    roundOff_(bodies.size(), scalar(VSMALL))
 {}
 
 
@@ -105,6 +110,15 @@ Foam::energyAccounts::energyAccounts
 
 void Foam::energyAccounts::begin()
 {
+    forAll(bodies_, i)
+    {
+        const solidBody& body = bodies_[i];
+        if (body.rigid()) continue;
+        roundOff_[i] +=
+            roundOff*returnReduce(body.mass(), sumOp<scalar>())
+           *sqr(body.material().cp());
+    }
+
     if (continued_) return;
     const scalarList all(sums());
     forAll(initial_, i)
@@ -163,6 +177,7 @@ Foam::List<Foam::bodyEnergies> Foam::energyAccounts::compute
             e.kept() - initial_[i] + e.numericalDissipation
           + e.plasticDissipation + e.dampingDissipation
           + e.relaxationDissipation - e.externalWork - e.contactWork;
+        e.roundOff = roundOff_[i];
         all.last() += e;
     }
     bool obstacleMoves = false;
@@ -184,7 +199,7 @@ Foam::scalar Foam::energyAccounts::rise(const bodyEnergies& all)
 {
     const scalar own = all.kept() - all.externalWork - all.contactWork;
     least_ = min(least_, own);
-    largest_ = max(largest_, all.total());
+    largest_ = max(largest_, max(all.total(), all.roundOff));
     return max(own - least_, all.contactGain);
 }
 

@@ -61,7 +61,8 @@ void Foam::runWarnings::checkEnergies
     forAll(bodies, i)
     {
         const bodyEnergies& e = all[i];
-        const scalar share = -e.numericalDissipation/(e.total() + VSMALL);
+        const scalar share =
+            -e.numericalDissipation/max(e.total(), e.roundOff);
         if (!warnedOfGain_ && share > gains)
         {
             warnedOfGain_ = true;
@@ -88,7 +89,8 @@ void Foam::runWarnings::checkEnergies
         least_[i] = min(least_[i], now);
         rise_[i] = max(rise_[i], now - least_[i]);
     }
-    largest_ = max(largest_, e.total());
+    largest_ = max(largest_, max(e.total(), e.roundOff));
+    roundOff_ = e.roundOff;
     given_ = max(given_, e.contactGain);
 }
 
@@ -98,7 +100,7 @@ void Foam::runWarnings::reportGain() const
     // Obstacles that move do work, which the first does not know; and the
     // second takes what contact stores and gives back for a rise
     const scalar rise = min(rise_[0], rise_[1]);
-    if (!warnedOfGain_ && rise > gains*largest_)
+    if (!warnedOfGain_ && rise > gains*largest_ + roundOff_)
     {
         WarningInFunction
             << "The energy has risen by " << 100*rise/largest_
@@ -108,7 +110,7 @@ void Foam::runWarnings::reportGain() const
             << "'maxEnergyRise' in controlDict ends a run where it happens."
             << endl;
     }
-    else if (given_ > gains*largest_)
+    else if (given_ > gains*largest_ + roundOff_)
     {
         WarningInFunction
             << "Contact has given the bodies " << 100*given_/largest_

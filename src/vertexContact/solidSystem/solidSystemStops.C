@@ -156,7 +156,10 @@ void Foam::solidSystem::checkEnergy()
 
     const List<bodyEnergies> all(computeEnergies());
     const scalar rise = accounts_.rise(all.last());
-    if (rise <= maxEnergyRise_*accounts_.largest()) return;
+    if (rise <= maxEnergyRise_*accounts_.largest() + all.last().roundOff)
+    {
+        return;
+    }
 
     // Where: the body that has least reason for its energy, and its fastest
     // node
