@@ -7,7 +7,7 @@ import pytest
 from vertexContactTests.caseTools import DEFAULT, PRESET
 from vertexContactTests.smallCases import (ELASTIC, RUBBER, Body, SmallCase,
                                            condition, coulomb, interface,
-                                           turned)
+                                           table, turned)
 from vertexContactTests.stability.free import rubber
 from vertexContactTests.stability.impacts import bar, ends, mach, outer
 from vertexContactTests.stability.judge import STOPPED
@@ -226,7 +226,13 @@ LEFT_OUT = {
     "force": ({}, {"material": {"type": "rigid", "rho": 1,
                                 "force": (0, 0, -9)}}),
     "moment": ({}, {"material": {"type": "rigid", "rho": 1,
-                                 "moment": (0, 9, 1)}})}
+                                 "moment": (0, 9, 1)}}),
+    **{name: ({}, {"sides": {"left": condition(name, **values)}})
+       for name, values in (
+           ("traction", {"traction": (0.1, 0, 0.2)}),
+           ("fixedVelocity", {"velocity": (0, 0, 0.1)}),
+           ("fixedDisplacement", {"displacement": table(
+               (0, (0, 0, 0)), (1, (0, 0, 0.1)))}))}}
 
 
 @pytest.mark.parametrize("what", LEFT_OUT)

@@ -24,6 +24,32 @@ namespace
 //  digits
 constexpr Foam::scalar leaves = 1e-6;
 
+//- Warn of what the file gives in directions that the mesh leaves out
+void warnLeftOut
+(
+    const Foam::string& where,
+    const Foam::solidBoundaryCondition& condition,
+    const Foam::medianDual& dual
+)
+{
+    using namespace Foam;
+    const Time& runTime = dual.mesh().time();
+    vector given(condition.given(runTime.value()));
+    if (magSqr(given) == 0)
+    {
+        // What loads slowly begins with zero
+        given = condition.given(runTime.endTime().value());
+    }
+    const prescribedMotion* motion = condition.motion();
+    dictionaryCheck::warnLeftOut
+    (
+        where,
+        !motion ? "traction"
+      : motion->ofDisplacement() ? "displacement" : "velocity",
+        given, dual.projected(given)
+    );
+}
+
 } // End anonymous namespace
 
 
@@ -57,11 +83,17 @@ void Foam::solidBody::checkMotions() const
     const FixedList<label, 3>& dir = dual_.directions();
     forAll(corners_, patchi)
     {
-        const prescribedMotion* motion =
-            corners_.set(patchi) ? condition(patchi).motion() : nullptr;
+        if (!corners_.set(patchi)) continue;
+        const pointPatchField<vector>& pf = pointU_.boundaryField()[patchi];
+        warnLeftOut
+        (
+            "Region " + name() + ", patch " + pf.patch().name(),
+            condition(patchi), dual_
+        );
+
+        const prescribedMotion* motion = condition(patchi).motion();
         if (!motion) continue;
 
-        const pointPatchField<vector>& pf = pointU_.boundaryField()[patchi];
         const bool partly = motion->ofDisplacement() || !motion->complete();
         if (!data_.variational && partly)
         {

@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "solidBoundaryCondition.H"
+#include "prescribedMotion.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -39,6 +40,14 @@ Foam::keywordList Foam::solidBoundaryCondition::commonKeywords()
         {"patchType", "", "none", "of OpenFOAM, for patches with a constraint"},
         {"value", "m/s", "none", "not used: the velocity is a result"}
     };
+}
+
+
+Foam::vector Foam::solidBoundaryCondition::given(const scalar time) const
+{
+    return
+        motion() && motion()->complete() ? motion()->value(time)
+      : vector(Zero);
 }
 
 

@@ -57,6 +57,8 @@ public:
 
     void write(Ostream& os) const { traction_.write(os); }
 
+    virtual vector given(const scalar time) const { return traction_(time); }
+
     virtual void solve(const scalar time, cornerStates& c) const
     {
         const vector t = traction_(time);
