@@ -811,6 +811,23 @@ def test_freedom_that_the_plane_has_not(tmp_path, keyword, value):
     assert f"'{keyword}'" in out and "2 directions" in out
 
 
+@pytest.mark.parametrize("motion, dimensions", (
+    ({"velocity": (0.1, 0, 0.2)}, 2),
+    ({"displacement": table((0, (0, 0, 0)), (1, (0, 0.1, 0)))}, 1),
+    (moved("rotatingMotion", origin=(0, 0, 0), axis=(1, 0, 0),
+           omega=1)["motion"], 2),
+    (moved("rotatingMotion", origin=(0, 0, 0), axis=(0, 0, 1),
+           omega=1)["motion"], 1)))
+def test_motion_out_of_the_mesh(tmp_path, motion, dimensions):
+    """A body that turns out of its plane would become narrower there."""
+    for nDim in (dimensions, 3):
+        code, out = SmallCase(
+            tmp_path/str(nDim), Body((2,)*nDim, material=rigid(motion=motion)),
+            1, control={**FIXED, "deltaT": 0.1}, preset=DEFAULT).attempt()
+        assert (code != 0) == (nDim < 3), out
+        assert ("'motion'" in out) == (nDim < 3), out
+
+
 def test_all_rigid_needs_a_step(tmp_path):
     body = Body(cells=(1, 1, 1), material=rigid())
     code, out = SmallCase(tmp_path, body, 1, preset=DEFAULT).attempt()

@@ -25,6 +25,57 @@ symmTensor turned(const symmTensor& inertia, const quaternion& q)
     return symm(R & inertia & R.T());
 }
 
+
+//- Instants of the run at which a motion is looked at
+constexpr label nLooks = 16;
+
+//- Part of what moves that leaves the directions of the mesh: a motion is
+//  written with few digits
+constexpr scalar leaves = 1e-6;
+
+//- FatalIOError for a motion that takes a point, and what is around it, out of
+//  the directions that the mesh solves
+void checkInMesh
+(
+    obstacleMotion& motion,
+    const point& start,
+    const medianDual& dual,
+    const dictionary& dict
+)
+{
+    if (dual.nDim() == 3) return;
+
+    const Time& runTime = dual.mesh().time();
+    const scalar begin = runTime.value();
+    const scalar left = max(runTime.endTime().value() - begin, scalar(0));
+    for (label look = 0; look <= nLooks; ++look)
+    {
+        const septernion pose(motion.poseAt(begin + left*look/nLooks));
+        const vector way(pose.transformPoint(start) - start);
+        bool inside = mag(way - dual.projected(way)) <= leaves*mag(way);
+        for (direction i = 0; i < vector::nComponents; ++i)
+        {
+            // What is in the mesh stays there, what is across it does not turn
+            vector e(Zero);
+            e[i] = 1;
+            const bool solved = mag(dual.projected(e)) > 0;
+            const vector now(pose.r().R() & e);
+            const vector out
+            (
+                solved ? vector(now - dual.projected(now)) : vector(now - e)
+            );
+            inside = inside && mag(out) <= leaves;
+        }
+        if (!inside)
+        {
+            FatalIOErrorInFunction(dict)
+                << "Keyword 'motion' moves or turns the body out of the "
+                << dual.nDim() << " directions of the mesh, at time "
+                << begin + left*look/nLooks << exit(FatalIOError);
+        }
+    }
+}
+
 } // End anonymous namespace
 
 
@@ -350,6 +401,7 @@ Foam::rigidBody::rigidBody
         motion_.reset(new obstacleMotion(dict, dual.mesh()));
     }
     readFreedoms(dict, mirrors);
+    if (motion_.valid()) checkInMesh(motion_(), start_, dual, dict);
 
     hasForce_ = dict.found("force");
     if (hasForce_) force_ = timeValue<vector>("force", dict);
