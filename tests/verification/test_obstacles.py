@@ -91,6 +91,36 @@ def test_ball_in_two_dimensions(tmp_path, figures):
                  largest(ends["ball"] - ends["cylinder"]), 1e-12)
 
 
+def plane(normal):
+    return {**PLANE, "pointAndNormalDict": {"point": (0, 0, 0),
+                                            "normal": normal}}
+
+
+@pytest.mark.parametrize("law", ("frictionless", "tied"))
+@pytest.mark.parametrize("name, oblique, straight, motions, within", (
+    ("plane", plane((0, 1, 1)), PLANE, ((0, 0, 0), (0, 0, 0)), 1e-12),
+    ("plane that moves", plane((0, 1, 1)), PLANE,
+     ((0, 0, 0.05), (0, 0.05, 0)), 1e-12),
+    ("ball", {"type": "sphere", "origin": (0.5, -1, 0.75), "radius": 1.25},
+     {"type": "sphere", "origin": (0.5, -1, 0), "radius": 1},
+     ((0, 0, 0), (0, 0, 0)), 1e-2)))
+def test_oblique_in_two_dimensions(tmp_path, figures, law, name, oblique,
+                                   straight, motions, within):
+    """What is oblique to the plane of the mesh is as the line in which it is
+    cut."""
+    ends = []
+    for obstacle, velocity in zip((oblique, straight), motions):
+        body = Body(cells=(4, 4), name="block", start=(0, 0.01, -0.5),
+                    velocity=(0, -0.2, 0), material=RUBBER,
+                    sides={"bottom": "contact"})
+        case = fall(tmp_path/str(len(ends)), body, obstacle=obstacle, law=law,
+                    motion={"velocity": velocity}, preset=DEFAULT, endTime=1)
+        ends.append(case.at("pointD", region="block"))
+    with figures(f"{name} that is oblique in two dimensions, {law}") as f:
+        f.atMost("displacement less that on the line / largest",
+                 largest(ends[0] - ends[1])/largest(ends[1]), within)
+
+
 @pytest.mark.parametrize("shape", SHAPES)
 @pytest.mark.parametrize("ranks", (1, 2))
 def test_impulse_of_any_shape(tmp_path, figures, shape, ranks):

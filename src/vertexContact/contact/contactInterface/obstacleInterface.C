@@ -266,11 +266,25 @@ void Foam::obstacleInterface::setObstacle
     const septernion& pose = motion_.pose();
     const plane& its = planes_[i];
     const point X(placeOf(its.corner));
-    p.plus = acousticRiemann::rigidSide(p.minus, motion_.velocity(X));
+    vector velocity(motion_.velocity(X));
 
     // Out of the body
     p.n = -pose.r().transform(its.n);
     p.gap = (X - its.x) & its.n;
+
+    // Where the mesh leaves a direction out, the line in which it cuts the
+    // plane; that goes aside with what is oblique and goes through the mesh
+    const medianDual& dual = side_.body->dual();
+    const vector within(dual.projected(p.n));
+    const scalar cosine = mag(within);
+    if (mag(p.n - within) > SMALL && cosine > parallel)
+    {
+        const vector across(velocity - dual.projected(velocity));
+        velocity += (across & p.n)/sqr(cosine)*within;
+        p.n = within/cosine;
+        p.gap /= cosine;
+    }
+    p.plus = acousticRiemann::rigidSide(p.minus, velocity);
 }
 
 
