@@ -223,8 +223,8 @@ LEFT_OUT = {
     "gravity": ({"gravity": (0, -0.1, -9)}, {}),
     "acceleration": ({}, {"forces": {"s": {
         "type": "uniform", "acceleration": (0, 0, -9)}}}),
-    "force": ({}, {"material": {"type": "rigid", "rho": 1,
-                                "force": (0, 0, -9)}}),
+    "force": ({}, {"material": {"type": "rigid", "rho": 1, "force": table(
+        (0, (0, 0, 0)), (0.01, (0, 0, -9)))}}),
     "moment": ({}, {"material": {"type": "rigid", "rho": 1,
                                  "moment": (0, 9, 1)}}),
     **{name: ({}, {"sides": {"left": condition(name, **values)}})

@@ -7,6 +7,7 @@
 #include "dictionaryCheck.H"
 #include "dimensionedScalar.H"
 #include "IStringStream.H"
+#include "Time.H"
 #include <cmath>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -250,6 +251,21 @@ void Foam::dictionaryCheck::warnLeftOut
             << where.c_str() << ": keyword '" << keyword << "' is " << given
             << ", of which the mesh solves " << used << " only" << endl;
     }
+}
+
+
+void Foam::dictionaryCheck::warnLeftOut
+(
+    const string& where,
+    const word& keyword,
+    const Time& runTime,
+    const std::function<vector(scalar)>& given,
+    const std::function<vector(const vector&)>& used
+)
+{
+    vector first(given(runTime.value()));
+    if (first == vector::zero) first = given(runTime.endTime().value());
+    warnLeftOut(where, keyword, first, used(first));
 }
 
 

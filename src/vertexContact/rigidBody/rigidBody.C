@@ -404,18 +404,25 @@ Foam::rigidBody::rigidBody
     if (motion_.valid()) checkInMesh(motion_(), start_, dual, dict);
 
     hasForce_ = dict.found("force");
-    if (hasForce_) force_ = timeValue<vector>("force", dict);
+    if (hasForce_)
+    {
+        force_ = timeValue<vector>("force", dict);
+        dictionaryCheck::warnLeftOut
+        (
+            dict.name(), "force", dual.mesh().time(), force_,
+            [&](const vector& f) { return dual.projected(f); }
+        );
+    }
     hasMoment_ = dict.found("moment");
-    if (hasMoment_) moment_ = timeValue<vector>("moment", dict);
-
-    const scalar start = dual.mesh().time().value();
-    const vector f(hasForce_ ? force_(start) : vector(Zero));
-    const vector m(hasMoment_ ? moment_(start) : vector(Zero));
-    dictionaryCheck::warnLeftOut
-    (
-        dict.name(), "force", f, dual.projected(f)
-    );
-    dictionaryCheck::warnLeftOut(dict.name(), "moment", m, dual.turning(m));
+    if (hasMoment_)
+    {
+        moment_ = timeValue<vector>("moment", dict);
+        dictionaryCheck::warnLeftOut
+        (
+            dict.name(), "moment", dual.mesh().time(), moment_,
+            [&](const vector& m) { return dual.turning(m); }
+        );
+    }
 }
 
 

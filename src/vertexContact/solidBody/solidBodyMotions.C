@@ -24,32 +24,6 @@ namespace
 //  digits
 constexpr Foam::scalar leaves = 1e-6;
 
-//- Warn of what the file gives in directions that the mesh leaves out
-void warnLeftOut
-(
-    const Foam::string& where,
-    const Foam::solidBoundaryCondition& condition,
-    const Foam::medianDual& dual
-)
-{
-    using namespace Foam;
-    const Time& runTime = dual.mesh().time();
-    vector given(condition.given(runTime.value()));
-    if (magSqr(given) == 0)
-    {
-        // What loads slowly begins with zero
-        given = condition.given(runTime.endTime().value());
-    }
-    const prescribedMotion* motion = condition.motion();
-    dictionaryCheck::warnLeftOut
-    (
-        where,
-        !motion ? "traction"
-      : motion->ofDisplacement() ? "displacement" : "velocity",
-        given, dual.projected(given)
-    );
-}
-
 } // End anonymous namespace
 
 
@@ -85,13 +59,17 @@ void Foam::solidBody::checkMotions() const
     {
         if (!corners_.set(patchi)) continue;
         const pointPatchField<vector>& pf = pointU_.boundaryField()[patchi];
-        warnLeftOut
+        const solidBoundaryCondition& its = condition(patchi);
+        const prescribedMotion* motion = its.motion();
+        dictionaryCheck::warnLeftOut
         (
             "Region " + name() + ", patch " + pf.patch().name(),
-            condition(patchi), dual_
+            !motion ? "traction"
+          : motion->ofDisplacement() ? "displacement" : "velocity",
+            mesh_.time(),
+            [&](const scalar time) { return its.given(time); },
+            [&](const vector& v) { return dual_.projected(v); }
         );
-
-        const prescribedMotion* motion = condition(patchi).motion();
         if (!motion) continue;
 
         const bool partly = motion->ofDisplacement() || !motion->complete();

@@ -77,10 +77,10 @@ public:
         bodyForce(checked(dict), dual),
         acceleration_("acceleration", dict)
     {
-        const vector first(acceleration_(dual.mesh().time().value()));
         dictionaryCheck::warnLeftOut
         (
-            dict.name(), "acceleration", first, dual.projected(first)
+            dict.name(), "acceleration", dual.mesh().time(), acceleration_,
+            [&](const vector& v) { return dual.projected(v); }
         );
     }
 
