@@ -92,14 +92,14 @@ void Foam::bodyInterface::setKernel()
     const List<contactOverlap>& overlaps = pairing_->overlaps();
     const solidBody& body = *minus_.body;
 
-    // Corners of the minus side that overlap anything, and which they are
+    // Corners of the minus side with overlaps, and their indices among these
     labelList slots(minus_.geometry().nCorners());
     minusCorners_ =
         contactOverlaps::usedCorners(overlaps, &contactOverlap::minus, slots);
     closed_.setSize(minusCorners_.size(), false);
     if (!pairing_->active()) return;
 
-    // Where what is bonded began, of the plus side where it is asked for
+    // Initial gaps of bonded surfaces, from positions of both sides
     pointField plus;
     scalarField firstGap;
     if (law().bonded())
@@ -246,7 +246,7 @@ Foam::Pair<Foam::string> Foam::bodyInterface::namesOf
     const contactSide& plus
 )
 {
-    // A surface with itself: the part that is met has another name
+    // For a surface with itself the opposite part needs another name
     return Pair<string>
     (
         minus.body->name() + '.' + minus.patchName,

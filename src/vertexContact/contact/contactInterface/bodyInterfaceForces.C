@@ -4,8 +4,8 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 -------------------------------------------------------------------------------
 Description
-    Contact of two surfaces in the default scheme: what the overlaps have of
-    both sides, the forces that they make, how they slide.
+    Contact of two surfaces in the default scheme: states of both sides for the
+    overlaps, the resulting forces, and the slide.
 
 \*---------------------------------------------------------------------------*/
 
@@ -42,7 +42,7 @@ void Foam::bodyInterface::findStates
         s.inner = rim.size() && rim[k] ? 0 : 1;
         s.shared = 0;
 
-        // Within a surface they have the normal of the corner
+        // Within a surface all faces around have about the corner's normal
         s.around = rigid ? vector::zero : s.n;
         if (!rigid && s.inner < 0.5)
         {
@@ -119,7 +119,7 @@ void Foam::bodyInterface::findNear()
     const scalar plusGives = plus_.body->contact().gives();
     const bool alike = minusGives == plusGives;
 
-    // Tell both corners of an overlap the gap
+    // Store the gap at both corners of an overlap
     const auto tellGap = [&]
     (
         const typename kernelType::block& b,
@@ -177,7 +177,7 @@ void Foam::bodyInterface::findNear()
             const label slot = b.minus.slot[0][l];
             if (sticks)
             {
-                // Seen from the plus side it has the other sign
+                // The slide seen from the plus side has the other sign
                 shift = acousticRiemann::tangential
                 (
                     0.5
@@ -211,7 +211,7 @@ void Foam::bodyInterface::findNear()
         }
     }
 
-    // Nobody places sides of one body inside each other
+    // Sides of one body do not overlap at the start
     if (minus_.body == plus_.body) asked_.inside = 0;
 }
 
@@ -565,8 +565,8 @@ void Foam::bodyInterface::slideOverlaps
         }
         if (!any) continue;
 
-        // Of the plus side relative to the minus side, in the step and in the
-        // mean with the one before
+        // Velocity of the plus side relative to the minus side, in the step and
+        // as mean with the one before
         const auto& b = kernel[near.block];
         const auto slip = [&](vector stepVelocities::* which)
         {

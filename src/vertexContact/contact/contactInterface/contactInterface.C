@@ -132,7 +132,7 @@ void Foam::contactInterface::ask
 
 Foam::scalar Foam::contactInterface::shareOf(const push& all)
 {
-    // A run that goes on from here has the same
+    // The same sums as after a restart from here
     account_.taken = Pstream::master() ? all.taken : 0;
     account_.startsInside = Pstream::master() && all.inside > 0 ? 1 : 0;
     return all.share();

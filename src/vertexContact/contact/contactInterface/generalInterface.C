@@ -21,12 +21,12 @@ Foam::generalInterface::candidates
 )
 {
     // Until the next search each side moves by reach_ at most, and pairings
-    // look as far as twice that
+    // search up to twice that
     List<boundBox> boxes(surfaces_.size());
     contactSurface::bodyMotion mean{vector::zero, vector::zero};
     forAll(surfaces_, i)
     {
-        // Where regions lie along a direction that is left out does not count
+        // Positions in directions that are left out do not count
         const medianDual& dual = surfaces_[i].body->dual();
         const boundBox box(motions_[i].box());
         boxes[i] = boundBox
@@ -49,7 +49,7 @@ Foam::generalInterface::candidates
     }
     const autoPtr<pointTree> tree(newPointTree(centres, max(radius)));
 
-    // Each finds those that are not larger than itself
+    // Each surface finds those that are not larger than itself
     HashSet<pairKey, keyHash> near;
     forAll(boxes, i)
     {
@@ -191,7 +191,7 @@ Foam::generalInterface::parts() const
 Foam::List<Foam::contactInterface::pairState>
 Foam::generalInterface::pairStates() const
 {
-    // What has never had overlaps has nothing to tell
+    // Pairs that have never had overlaps are left out
     DynamicList<pairState> states(past_.size());
     forAll(parts_, i)
     {
@@ -281,7 +281,7 @@ bool Foam::generalInterface::update(const scalar time, const bool all)
         combineOnAll(moved, [](label& a, const label b) { a |= b; });
     }
 
-    // What is there and near stays
+    // Without a search the near pairs stay the same
     List<pairKey> keys(keys_);
     if (search) keys = candidates(time, motions);
 
@@ -314,8 +314,8 @@ bool Foam::generalInterface::update(const scalar time, const bool all)
         if (is && !kept) part.keepSums();
     };
 
-    // Each surface that is paired again is looked at once, and all pairings
-    // learn in one exchange whether any rank has overlaps, or how near they are
+    // One snapshot for each surface that is paired again, and one exchange for
+    // all pairings to find whether any rank has overlaps, or the least distance
     boolList isOld, again, kept, wanted;
     for (boolList* list : {&isOld, &again, &kept})
     {

@@ -49,7 +49,7 @@ struct pairEntry
     dictionary dict;
 };
 
-//- An expression as it is written, but for blanks
+//- An expression as it is written, except for blanks
 std::string text(const expression& e)
 {
     const std::string quote(e.name.isPattern() ? "\"" : "");
@@ -59,7 +59,7 @@ std::string text(const expression& e)
     return '(' + all + ')';
 }
 
-//- A set in a list of pairs: a name alone is a region, with all its surfaces
+//- A set in a list of pairs: a name alone is a region with all its surfaces
 expression regionOrSurfaces(const expression& e)
 {
     if (!e.leaf) return e;
@@ -323,7 +323,7 @@ void Foam::generalInterface::readSurfaces
     for (const List<contactSide>& some : sets) take(some);
     surfaces_ = all;
 
-    // Nothing comes of contact between what no force moves apart
+    // Exclude pairs that no force can move relative to each other
     std::map<const solidBody*, label> rigidBodies;
     labelList rigid(surfaces_.size(), -1);
     boolList fixed;
@@ -394,7 +394,7 @@ void Foam::generalInterface::readExclude
     if (!dict.found("exclude")) return;
     const expression e(surfaceSelection::read(dict, "exclude"));
 
-    // One pair, or a list of them
+    // One pair, or a list of pairs
     if (e.leaf) readSets(dict, "exclude", e, bodies);
     const bool one =
         e.list.size() == 2 && e.list[0].surface() && e.list[1].surface();
@@ -491,7 +491,7 @@ void Foam::generalInterface::readLaw(const dictionary& dict)
     PtrList<dictionary> rules(rules_.size());
     rules.set(0, partDict(dict, dict).ptr());
 
-    // What is paired stays, in any order
+    // The pairs may not change, but their order may
     const PtrList<pairEntry> pairs(readPairs(dict));
     bool same = pairs.size() == pairSides_.size();
     for (const pairEntry& pair : pairs)
@@ -517,7 +517,7 @@ void Foam::generalInterface::writeRecord(Ostream& os) const
 {
     contactInterface::writeRecord(os);
 
-    // Of all pairs that have touched: all ranks have the same. One exchange
+    // All pairs that have touched, the same on all ranks, in one exchange
     const List<pairKey> keys(past_.sortedToc());
     List<account> all(keys.size());
     forAll(keys, i) all[i] = sumsOf(keys[i]);
@@ -541,7 +541,7 @@ void Foam::generalInterface::readRecord(const dictionary& record)
 {
     contactInterface::readRecord(record);
 
-    // The name of a pair is made of those of its surfaces
+    // The name of a pair consists of those of its surfaces
     std::multimap<std::string, label> named;
     forAll(surfaces_, i)
     {

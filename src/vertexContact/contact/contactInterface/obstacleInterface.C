@@ -66,7 +66,7 @@ void Foam::obstacleInterface::nearestTo
     surface_->findNearest(X, scalarField(X.size(), sqr(GREAT)), hits);
     surface_->getNormal(hits, normals);
 
-    // Of an edge the surface says the normal of one of its faces
+    // At an edge the surface returns the normal of one of its faces
     DynamicList<label> behind;
     forAll(X, i)
     {
@@ -87,7 +87,7 @@ void Foam::obstacleInterface::nearestTo
         }
     }
 
-    // Behind the face, but outside of a sharp edge
+    // Points behind that face may be outside of a sharp edge
     if (behind.empty() || !surface_->hasVolumeType()) return;
     List<volumeType> sides;
     surface_->getVolumeType(pointField(X, behind), sides);
@@ -106,7 +106,7 @@ void Foam::obstacleInterface::findEdges()
     const medianDual& dual = side_.body->dual();
     const label d = dual.nDim();
 
-    // What the corner and the obstacle may move, in any direction
+    // Allowed motion of corner and obstacle together, in any direction
     const scalar reach = 2*allowed_*Foam::sqrt(scalar(d));
     const scalar most = 0.5*sqr(reach)/leastWidth_;
 
@@ -407,7 +407,7 @@ void Foam::obstacleInterface::findNearest
     vectorField& normals
 ) const
 {
-    // The nodes of a patch are asked for once a corner: few, and seldom
+    // Nodes are searched once for each corner; that is done rarely
     X.setSize(side_.geometry().nCorners());
     forAll(X, k) X[k] = placeOf(k);
     nearestTo(X, hits, normals);
@@ -440,7 +440,7 @@ bool Foam::obstacleInterface::update(const scalar time, const bool)
     vectorField normals;
     findNearest(x, hits, normals);
 
-    // Within one width of a face there is a plane
+    // Corners within one face width get a plane
     planes_.clear();
     scalar nearest = GREAT;
     const bodyContact& contact = side_.body->contact();
@@ -451,7 +451,7 @@ bool Foam::obstacleInterface::update(const scalar time, const bool)
         {
             const scalar gap = (x[k] - hits[k].hitPoint()) & normals[k];
             nearest = min(nearest, mag(x[k] - hits[k].hitPoint()));
-            // Beside the rim of an open surface is not inside
+            // Points beside the rim of an open surface are not inside
             const scalar beside =
                 mag(x[k] - hits[k].hitPoint() - gap*normals[k]);
             lose
@@ -563,7 +563,7 @@ void Foam::obstacleInterface::solve(const bool firstStage)
         p.area = M.geometry.cornerArea[k]*M.stretch[k];
         setObstacle(i, p);
 
-        // As its mirror image would: half of the gap
+        // As against a mirror image, which has half of the gap
         setTouching
         (
             p, contactOverlaps::face(M.n[k], p.n), closed_[i], 0.5*depth[k]

@@ -70,7 +70,7 @@ void Foam::contactPairing::takeOverlaps(DynamicList<contactOverlap>& overlaps)
 {
     const label firstMinus = minusCorners_.toGlobal(0);
 
-    // Corners of the plus side that are asked for, each once: the slots
+    // Plus corners that this rank needs, each once: the slots
     labelList slotOf(plusCorners_.size());
     const labelList slots
     (

@@ -92,12 +92,12 @@ struct movingArea
         m.bend = (bend.x()*u + bend.y()*w)/area;
         if (w == vector::zero)
         {
-            // There is one direction only
+            // In 2D there is only one direction
             m.drift = cu.x()*tensor::I;
             return m;
         }
-        // Surfaces that turn have a way across the plane, too: half of it, as
-        // either side sees it
+        // Surfaces that turn also move across the plane; the centroid follows
+        // by half, for either side
         const vector n(u ^ w);
         m.drift =
             u*(cu.x()*u + cu.y()*w) + w*(cw.x()*u + cw.y()*w) + 0.5*n*n;
@@ -105,7 +105,7 @@ struct movingArea
     }
 };
 
-//- What a face has in an overlap at a point of a corner's part.
+//- Stencil of a face for an overlap, at a point of a corner's part.
 //  \param share  of the part
 //  \param area   reference area of the part
 contactStencil stencil
@@ -134,7 +134,7 @@ contactStencil stencil
     return s;
 }
 
-//- Add what a side has in another piece of an overlap
+//- Add the stencil of a side for another piece of an overlap
 void join(contactStencil& a, const contactStencil& b)
 {
     const scalar share = b.area/(a.area + b.area);
@@ -212,7 +212,7 @@ void Foam::contactOverlaps::append
     const label first = overlaps.size();
     FixedList<movingArea, 16> moving;
 
-    // Returns which of the overlaps of these faces it is part of
+    // Returns the index of the overlap, of these faces, that has the piece
     const auto add = [&]
     (
         const label i,
@@ -255,7 +255,7 @@ void Foam::contactOverlaps::append
     {
         for (label k = first; joined && k < overlaps.size(); ++k)
         {
-            // Where edges are concerned what the normal sees
+            // At edges areas are projected on the normal
             const scalar share = 1 - normal.mean();
             overlaps[k].minus.area *= 1 - share*(1 - (minus.n & n));
             overlaps[k].plus.area *= 1 - share*(1 + (plus.n & n));
@@ -326,7 +326,7 @@ void Foam::contactOverlaps::append
                     i, j, stencil(a, i, at, sa, minus.area[i]),
                     stencil(b, j, at, sb, plus.area[j])
                 );
-                // Of the ends of both parts, which is that of the overlap
+                // Share by which an end of the overlap follows the plus side
                 const auto follows = [&](const bool upper)
                 {
                     const bool nodeA = (a0 > a1) == upper;

@@ -550,7 +550,7 @@ void Foam::contactSurface::findFaces
     }
     combineOnAll(axes, plusEqOp<vector>());
 
-    // The cone around the mean normal; without one, of all directions
+    // The cone around the mean normal; without one, all directions
     scalarField least(n, scalar(1));
     forAll(least, i)
     {

@@ -27,14 +27,13 @@ scalar halfWidth(const contactFace& minus, const contactFace& plus)
     return 0.5*min(minus.width, plus.width);
 }
 
-//- How much the ends of one face that bound what it has in common with another
-//  are on that one: all, if they are half of a width further from where that
-//  ends itself than they are inside. They are seen along the other face's
-//  normal, which is that of contact if they are on it: along another one, an
-//  end that is inside is not above the face that it is behind. They count as
-//  long as they are next to the face, on what goes on from it: over a line
-//  between two faces that lie in one plane what both have of the normal does
-//  not change
+//- r of overlapNormal: how far the ends of one face that bound its intersection
+//  with another lie on that one. 1 if their distance from the other's ends
+//  exceeds their depth inside by half of a width. They are projected along the
+//  other face's normal, which is that of contact if they lie on it: along any
+//  other one, an end that is inside is not above the face that it is behind.
+//  Ends beside the face count where its body continues, so that the normal does
+//  not change as they slide from one face to the next in a plane
 scalar endsOn
 (
     const contactFace& its,
@@ -83,7 +82,7 @@ scalar endsOn
     return any ? min(scalar(1), sqr(off/half)) : 0;
 }
 
-//- Set how much the normals of both sides count
+//- Set the weights of the normals of both sides
 void setShares
 (
     const contactFace& minus,
@@ -99,8 +98,8 @@ void setShares
     which.plus = 1 - plusOn*(1 - minusOn);
 }
 
-//- Find the edges that cross: the nearest to each other, as far as others are
-//  not
+//- Find the crossing edges: the nearest pair, with its weight less that of the
+//  second nearest
 void setCrossing
 (
     const contactFace& minus,
@@ -124,7 +123,7 @@ void setCrossing
             const bool along = sqrArea <= SMALL*magSqr(d)*magSqr(e);
             if (!plus.ends[j] || along) continue;
 
-            // Shares of both edges where they are the nearest to each other
+            // Places on both edges, 0 to 1, of their nearest points
             const vector r(plus.x[j] - minus.x[i]);
             const scalar de = d & e, dr = d & r, er = e & r;
             const scalar s = share((magSqr(e)*dr - de*er)/sqrArea);
@@ -208,7 +207,7 @@ bool Foam::contactOverlaps::beside
     alongPlane(n, outOfPlane, nDim, u, w);
     const faceProjection a(minus, u, w), b(plus, u, w);
 
-    // What the faces have in common
+    // Intersection of the faces
     convexPolygon common;
     if (nDim == 2)
     {
@@ -242,7 +241,7 @@ bool Foam::contactOverlaps::beside
     if (inside <= 0) return false;
     if (!ends(minus) || !ends(plus)) return false;
 
-    // The least way of one of them out over a rim of the other
+    // Least displacement that moves one of them out over an end
     scalar least = GREAT;
     const auto leave = [&]
     (

@@ -62,7 +62,7 @@ struct surface
     }
 };
 
-//- In the directions that are left out both sides get the same extent
+//- Give both sides the same extent in the directions that are left out
 void levelThickness(surface& s, const medianDual& dual, const scalar extent)
 {
     const vector out(vector::one - dual.projected(vector::one));
@@ -181,7 +181,7 @@ Foam::contactPairings::AMI::AMI
         sourcePatch, targetPatch, faceAreaIntersect::tmMesh
     );
 
-    // Faces of the plus side to where the minus side is
+    // Send faces of the plus side to the ranks of the minus side
     typedef FixedList<scalar, scalarRecord::size<contactFace>()> faceBytes;
     List<faceBytes> bytes(target.index.size());
     forAll(bytes, f)

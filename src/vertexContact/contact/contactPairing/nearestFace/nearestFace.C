@@ -26,23 +26,23 @@ namespace
 
 using namespace Foam;
 
-//- Largest product of the normals of faces that meet: of edges at right angles
-//  whose faces just see the normal across these
+//- Largest product of the normals of faces that meet: that of edges at right
+//  angles whose faces just face the normal across these
 constexpr scalar leastOpposed =
     -contactOverlaps::leastFacing*contactOverlaps::leastFacing;
 
-//- And of those that meet along the mean of their normals: surfaces of a
-//  concave edge do not
+//- The same for faces that meet along the mean of their normals: surfaces at a
+//  concave edge do not meet
 constexpr scalar leastOfMean = -0.5;
 
-//- Of one body: distance of nodes, by the width of the faces, up to which they
-//  are the same one, and up to which faces that do not face each other are
-//  neighbours across an edge of the body: their next ones begin there
+//- For one body, distances of nodes over the face width: up to which they are
+//  the same node, and up to which faces that do not face each other are
+//  neighbours across an edge of the body (beyond it the next faces begin)
 constexpr scalar sameNode = 1e-6;
 constexpr scalar neighbours = 2;
 
-//- A face is so far behind another one that they cannot meet: as the sides of a
-//  plate of two cells. Told from round-off, for which opposed() is asked
+//- A face is so far behind another one that they cannot meet, as the sides of a
+//  plate of two cells. Round-off cases are left to opposed()
 bool behind
 (
     const contactSurface::outline& a,
@@ -55,8 +55,8 @@ bool behind
     return ((b.centre - a.centre) & n) < -(1 + sameNode)*depth;
 }
 
-//- Faces are no further from each other along n than they are wide, and their
-//  centres no further inside each other than the cells behind are thick
+//- The gap of two faces along n is at most their width, and the penetration of
+//  their centres at most the thickness of the cells behind
 bool close(const contactFace& a, const contactFace& b, const vector& n)
 {
     scalar top = -GREAT, bottom = GREAT;
@@ -68,8 +68,7 @@ bool close(const contactFace& a, const contactFace& b, const vector& n)
 }
 
 //- An order of the faces of a surface that is the same on any number of ranks:
-//  that of their first nodes in the mesh. Those that have it in common never
-//  meet
+//  that of their first nodes in the mesh. Faces that share that node never meet
 bool before(const contactFace& a, const contactFace& b)
 {
     const auto first = [](const contactFace& face)
@@ -109,7 +108,7 @@ bool mayEverMeet(const contactFace& a, const contactFace& b)
     const bool opposite = (a.N & b.N) < leastOfMean;
     const bool faced = opposite && along > 0;
 
-    // Both sides of the same part of the body, whatever is between them
+    // Both sides of the same part of the body, however thick it is
     if
     (
         opposite && along < 0
@@ -121,8 +120,8 @@ bool mayEverMeet(const contactFace& a, const contactFace& b)
     return closest >= neighbours*width || faced;
 }
 
-//- Faces that do not: neighbours, as far as their outlines tell. No node is
-//  nearer to those of the other one than all are on the mean of squares
+//- Faces that may never meet since they are neighbours, judged by their
+//  outlines: the least node distance is at most the root mean square one
 bool areNeighbours
 (
     const contactSurface::outline& a,
@@ -164,7 +163,7 @@ Foam::contactFaceList Foam::contactPairings::nearestFace::oppositeFaces
     const boundBox& near
 ) const
 {
-    // The minus side says where it is, the plus side sends what is there
+    // The minus side sends its box, the plus side returns its faces in it
     labelList minusRanks, plusRanks;
     if (holds(plusRanks_)) minusRanks = minusRanks_;
     if (holds(minusRanks_)) plusRanks = plusRanks_;
@@ -265,8 +264,8 @@ bool Foam::contactPairings::nearestFace::opposed
 
     if (!close(a, b, n)) return false;
 
-    // Of one body which edge lies on which face is not told; of a surface with
-    // itself the other order are the same two
+    // In one body edges on faces are not distinguished; for a surface with
+    // itself the other order would be the same pair
     return
         !oneBody_
      || (
@@ -293,7 +292,7 @@ void Foam::contactPairings::nearestFace::pairFaces
     const vector out(contactSurface::outOfPlane(minus_));
     const label nDim = minus_.body->dual().nDim();
 
-    // Faces of the others on this rank, as far as they are needed
+    // Faces of others on this rank, set up when they are needed
     DynamicList<contactFace> faces;
     labelList where(received.size() ? 0 : others.size(), -1);
 
@@ -425,7 +424,7 @@ Foam::keywordList Foam::contactPairings::nearestFace::keywords()
 
 bool Foam::contactPairings::nearestFace::outdated(const scalar time)
 {
-    // Both are asked in each step
+    // Both have to be called in each step
     const bool minus = minusMotion_.exceeded(time);
     return plusMotion_.exceeded(time) || minus;
 }
@@ -538,11 +537,11 @@ void Foam::contactPairings::nearestFace::follow
 {
     const scalar search = searched(), apart = this->apart(minus, plus);
 
-    // Pairs at up to the least width are there; others are further away
+    // All pairs within the least width have been found
     const scalar most = surfaceMotion::largestDistance*leastWidth_;
-    // With the paper's scheme a couple of the gap comes of all motion; and
-    // where no faces are opposite yet all motion may bring edges past each
-    // other, as soon as it has brought them there
+    // In the paper's scheme any motion changes the couple across the gap; and
+    // where no faces are opposite yet, any motion may bring edges past each
+    // other once they are near
     const bool near = apart <= search;
     const scalar close = updateDistance_*leastWidth_;
     const scalar any =
@@ -551,14 +550,14 @@ void Foam::contactPairings::nearestFace::follow
       : max(close, min(most, 0.5*nearestOfAll()));
     const scalar along = near && active() ? close : any;
 
-    // What both sides have in common changes nothing between them
+    // Common motion of both sides does not change the pairing
     const auto bodies =
         contactSurface::bodyMotion::common(minus.motion, plus.motion);
     minusMotion_.start(time, along, any, bodies);
     plusMotion_.start(time, along, any, bodies);
     if (near && !oneBody_)
     {
-        // No face that has something opposite has nodes further away
+        // Paired faces have no nodes further away than this
         const scalar furthest = search + reach_;
         minusMotion_.setFree(plus.box, furthest);
         plusMotion_.setFree(minus.box, furthest);

@@ -65,7 +65,7 @@ void Foam::surfaceMotion::findWays
     {
         carried[i] = by[side_.body->dual().directions()[i]];
     }
-    // Of squares, if nothing is taken off
+    // Compare squares if no free_ is subtracted
     const bool free = free_.size();
     const auto counted = [&](const label place, const scalar moved)
     {
@@ -154,7 +154,7 @@ void Foam::surfaceMotion::setFree(const boundBox& box, const scalar distance)
     bool some = false;
     forAll(nodes(), place)
     {
-        // The box has none of the directions that are left out
+        // The box is zero in the directions that are left out
         const point x
         (
             side_.body->dual().projected
