@@ -3,6 +3,7 @@ of both schemes are those of the stored references, and with the default preset
 those on 2, 3 and 4 ranks are the serial ones."""
 
 import json
+import os
 import shutil
 
 import pytest
@@ -76,6 +77,8 @@ def test_references(run, figures, scene, name):
     assert sorted(ours) == sorted(reference)
     limit = (1e-10 if scene.path in AMPLIFIED or scene.preset == DEFAULT
              else 1e-12)
+    if "VERTEXCONTACT_SANITIZE" in os.environ:
+        limit *= 100    # other machine code: newtonsCradle has 8e-9
 
     def scaleOf(key):
         field = key.split()[-1]
