@@ -57,10 +57,10 @@ def held(dimensions, nu, stretch, sides):
 
 def step(folder, dimensions, nu, maxCo, stretch=1, **how):
     """Some hundred steps of a distorted block in which all modes are excited,
-    at a tenth of the speed of shear waves: free, or held at both ends at some
-    other length and, in two and three dimensions, of its volume. Most of the
-    energy dissipates at once, within steps that are not small: the balance
-    says how accurate that is, not whether it is stable."""
+    at a tenth of the speed of shear waves. The block is free, or held at both
+    ends at another length; in two and three dimensions it keeps its volume.
+    Most of the energy dissipates at once, within steps that are not small:
+    the balance shows how accurate that is, not whether it is stable."""
     body, n, cp = held(dimensions, nu, stretch, 1 if dimensions == 1 else
                        stretch**(-1/(dimensions - 1)))
     case = small(folder, body, 90*maxCo/n/cp, {"writeControl": "none"},
@@ -69,9 +69,9 @@ def step(folder, dimensions, nu, maxCo, stretch=1, **how):
 
 
 def release(folder, dimensions, cells, nu, stretch, **how):
-    """The same block at another length and of another volume, held at its ends
-    while its sides are let go: the pressure of rubber that is squeezed by 40 %
-    is as many times its modulus as it is hard to compress."""
+    """The same block at another length and with another volume, held at its
+    ends while its sides are released. The pressure of rubber that is squeezed
+    by 40 % is as many times its modulus as it is hard to compress."""
     body, n, cp = held(dimensions, nu, stretch, 1)
     case = small(folder, body, 90/n/cp, {"writeControl": "none"},
                  scheme={"cells": cells}, **how)
@@ -92,7 +92,7 @@ def wobble(folder, body, how, transits=4, balanceLimit=BALANCE):
 
 
 def aspect(folder, dimensions, shape, ratio, **how):
-    """Cells of an aspect ratio, as plates (one short side) or needles (one
+    """Cells of a given aspect ratio: plates (one short side) or needles (one
     long side)."""
     thin = {"plates": dimensions - 1, "needles": 1}[shape]
     size = np.where(np.arange(3) < thin, 1, 1/ratio)
@@ -164,8 +164,9 @@ SLIVERS = {"layer": flattened, "node": pushed}
 
 
 def sliver(folder, kind, angle, **how):
-    """Tetrahedra with dihedral angles down to this many degrees. What their
-    modes have dissipates within steps that are not small, as in step()."""
+    """Tetrahedra with dihedral angles down to this many degrees. The energy of
+    their modes dissipates within steps that are not small, as in group
+    step."""
     n = FINE[3]
     below, above = 1e-6, 0.3
     while above/below > 1 + 1e-9:
@@ -201,7 +202,8 @@ def counts(cells):
 
 def vibration(folder, cells, steps, nu=0.3, **how):
     """Free vibration of a few cells. Translation and rotation remain; all
-    else dies out, and the kept energy never rises."""
+    other motion should die out, and the kept energy (the energy that the
+    leapfrog conserves) never rise."""
     n = counts(cells)
     material, cp, _ = rubber(nu)
     body = Body(cells=n, size=(n + (1, 1))[:3], material=material,
@@ -219,8 +221,8 @@ def vibration(folder, cells, steps, nu=0.3, **how):
 
 
 def spin(folder, cells, steps, **how):
-    """A free block turns about its axis, its sides at a tenth of the speed of
-    waves: nothing else ever happens, and its energy never rises."""
+    """A free block turns about its axis; its sides move at a tenth of the
+    speed of waves. Nothing else may happen, and its energy may never rise."""
     n = counts(cells)
     material, cp, _ = rubber(0.3)
     omega = 0.2*cp

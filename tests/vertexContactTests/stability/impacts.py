@@ -55,7 +55,8 @@ def apart(case, name):
 
 def collision(folder, nu, **how):
     """Two distorted 3D blocks, in contact from the start, run into each other
-    with a fifth of the speed of shear waves, all modes excited in addition."""
+    with a fifth of the speed of shear waves. In addition all modes are
+    excited."""
     material, cp, cs = rubber(nu)
     bodies = []
     for name, x, sign, side in (("left", 0, 1, "right"),
@@ -81,8 +82,9 @@ def collision(folder, nu, **how):
 # Bars
 
 def mach(folder, cells, speed, **how):
-    """A bar hits an equal one at rest with a speed in that of sound. Waves as
-    strong as this dissipate; momentum is kept, and energy not made."""
+    """A bar hits an equal one at rest; its speed is given relative to that of
+    sound. Such strong waves dissipate. Momentum must be kept, and no energy
+    made."""
     material, cp, _ = rubber(0.3)
     counts = tuple(int(n) for n in cells.split("x"))
     bodies = (bar("left", counts, speed=speed*cp, material=material),
@@ -107,12 +109,12 @@ def mach(folder, cells, speed, **how):
 
 
 def impedance(folder, dimensions, by, ratio, **how):
-    """A bar hits one at rest of so many times its impedance rho c, in 2D with
-    free sides (nu = 0). Exact, as long as it hits no softer one and no wave
-    comes back from the other bar before: it leaves with
-    (1 - ratio)/(1 + ratio) of its velocity, the limit of a rigid wall is -1.
-    by: what makes the impedance, the other bar being as long as its waves
-    need to come back no earlier."""
+    """A bar hits a bar at rest whose impedance rho c is ratio times its own,
+    in 2D with free sides (nu = 0). The exact solution: it leaves with
+    (1 - ratio)/(1 + ratio) of its velocity, for a rigid wall with -1 of it,
+    unless the other bar is softer or a wave returns from that bar earlier.
+    by: what makes the impedance. The other bar is so long that its waves
+    return no earlier."""
     speed = 1e-3
     E, rho, length = {"both": (ratio, ratio, 1), "rho": (1, ratio**2, 1),
                       "E": (ratio**2, 1, ratio)}[by]
@@ -140,9 +142,9 @@ def impedance(folder, dimensions, by, ratio, **how):
 
 def gap(folder, dimensions, pairing, cell, **how):
     """Bars that are at first so many cells apart, or inside each other (less
-    than 0). Exact (nu = 0): contact begins after gap/speed, velocities are
-    exchanged. Bars inside each other are brought apart as they collide, which
-    takes what it needs from nowhere: a rise of the energy that is bounded."""
+    than 0). Exact (nu = 0): contact begins after gap/speed, and velocities
+    are exchanged. Bars inside each other are pushed apart as they collide.
+    No body has given the energy for this; its rise is bounded."""
     n, speed = 20, 0.02
     cells = {1: (n,), 2: (n, 4)}[dimensions]
     material = {**RUBBER, "nu": 0}
@@ -172,7 +174,7 @@ def gap(folder, dimensions, pairing, cell, **how):
 # Surfaces that do not match
 
 def faces(folder, dimensions, pairing, ratio, **how):
-    """Two blocks meet with an offset, faces 1:ratio along x."""
+    """Two blocks meet with an offset; their faces are 1:ratio along x."""
     low = {2: (2, 2), 3: (2, 2, 2)}[dimensions]
     high = (2*ratio, 4, 3)[:dimensions]
     speed = 0.05
@@ -197,7 +199,7 @@ def faces(folder, dimensions, pairing, ratio, **how):
 
 
 def pressed(folder, dimensions, pairing, ratio, **how):
-    """A uniform pressure crosses faces 1:ratio, and nothing moves."""
+    """A uniform pressure acts across faces of 1:ratio; nothing may move."""
     stretch, mu, kappa = 0.9, 0.5/1.3, 1/1.2
     b = np.diag((1, stretch**2, 1))
     stress = (mu*stretch**(-5/3)*(b - np.trace(b)/3*np.eye(3))
@@ -229,8 +231,8 @@ def pressed(folder, dimensions, pairing, ratio, **how):
 # One cell a body, ten bodies in a row
 
 def single(folder, dimensions, pairing, **how):
-    """Two bodies of one cell each collide. What the contact stores to bring
-    them apart, and returns, is not small against what one cell has."""
+    """Two bodies of one cell each collide. The energy that contact stores and
+    returns to separate them is not small compared with that of one cell."""
     speed = 0.05
     bodies = (bar("left", (1,)*dimensions, speed=speed),
               bar("right", (1,)*dimensions, 1, gap=0.01))
@@ -249,8 +251,8 @@ def single(folder, dimensions, pairing, **how):
 
 
 def cradle(folder, dimensions, gap, bodies=10, **how):
-    """Ten equal bars, the first one moves (nu = 0): the last one leaves with
-    its velocity, the others rest. The gaps are in cells."""
+    """The first of ten equal bars moves (nu = 0). In theory the last one
+    leaves with its velocity, and the others rest. Gaps are in cells."""
     n, speed = 20, 0.01
     cells = {1: (n,), 2: (n, 2)}[dimensions]
     material = {**RUBBER, "nu": 0}
@@ -303,7 +305,7 @@ def steelBlocks(folder, pairing, units, how):
 
 
 def units(folder, pairing, units, **how):
-    """The same scene in other units gives the same numbers."""
+    """The same scene in other units must give the same numbers."""
     folder.mkdir()
     reference, one = steelBlocks(folder/"reference", pairing, "Pa m", how)
     reference.run()

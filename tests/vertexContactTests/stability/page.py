@@ -46,83 +46,85 @@ TITLES = {
 
 # The head of the page
 GOOD = (
-    """The step. The bound is what a body can take: 1.0 of it at least in one
-    dimension, 1.1 in two and three, whatever the cells, the correction,
-    Poisson's ratio and the deformation. The default is 0.9 of it.""",
+    """The step. The bound of the step is what a body can take: it is stable at
+    least up to 1.0 of the bound in one dimension and 1.1 in two and three,
+    whatever the cells, the correction, Poisson's ratio and the deformation. The default is
+    0.9 of the bound.""",
     """Impacts: up to 1.2 times the speed of waves, impedances up to 1:1e6,
-    slivers down to 0.5 degrees, cells up to 1:100, any Poisson's ratio, all
-    presets: the energy never exceeds the initial one.""",
-    """Bodies of three cells across, or more, gain no energy, in a million
-    steps of vibration; nor do those that turn 4881 times.""",
-    """Blocks come to rest: on a plane and on bodies with cells of the same
-    length down to a fourth of it, with friction and tied, in two and three
-    dimensions. Fine bases take longest: on one of 1:4 a block in two
-    dimensions still moves by some 1e-8 of a cell in the second half of a
+    slivers down to 0.5 degrees, aspect ratios of cells up to 1:100, any
+    Poisson's ratio, all presets: the energy never exceeds the initial one.""",
+    """Bodies of three cells across, or more, gain no energy in a million steps
+    of vibration; nor do bodies that turn 4881 times.""",
+    """Blocks come to rest, on a plane and on bodies whose cells have the same
+    length or down to a fourth of it, with friction and tied, in two and three
+    dimensions. On fine bases this takes longest: on a base of 1:4 a block in
+    two dimensions still moves by some 1e-8 of a cell in the second half of a
     million steps, by 1e-12 in that of two million. None gains energy (rest
     under gravity).""",
-    """What is at rest stays there: after a damping in the first quarter of the
-    time no block, with friction or without, tied, or on a slope of half and
-    nine tenths of the angle of friction, moves by more than 1e-10 of a cell in
-    the second half of a million steps (rest after a damping).""",
-    """Faces of 1:64 take energy from an impact, and give none, however seldom
+    """Blocks at rest stay at rest. After a damping in the first quarter of the
+    time, no block moves by more than 1e-10 of a cell in the second half of a
+    million steps: with friction or without, tied, or on a slope of half and
+    nine tenths of the angle of friction (rest after a damping).""",
+    """Faces of 1:64 take energy from an impact and give none, however seldom
     they are paired (faces).""")
 POOR = (
-    """With preset fast, whose steps are longer, impacts gain up to 0.6 % of
-    their energy at the default step (0.5 % are allowed here), and far more
-    beyond 1.1 of the stable one. Bodies that begin with large stresses set free
-    have balances of up to 12 %, with half of the step four times better
-    (presets, release).""",
-    """Where contact is a few faces wide the gap gives way under load: a block
-    on a base with a coefficient of friction of 10 is inside by a tenth of a
-    cell (friction).""",
-    """Bodies of one or two cells across, in all directions, vibrate for ever,
-    and with large amplitudes their energy rises and falls by up to 2 %, with
-    preset fast up to a sixth (free vibration).""",
-    """Without friction blocks slide off soft bases: that is physics. Half of
-    one, held by a mirror, swings with its base for a million steps and
-    longer (rest under gravity).""",
-    """Rubber of a Poisson's ratio of 0.49 or more that is let go from another
-    volume, 40 % less or 60 % more, gains energy or stops within a few steps:
-    with native and simplicialSingle cells, and at 0.4999, squeezed, with any in
-    three dimensions. Nothing resists the rate of the volume since November
-    2026; before, most of these were stable (release).""",
-    """Bodies that start inside each other are pushed apart, which takes energy
-    from nowhere (gap).""")
+    """Preset fast has longer steps. With it impacts gain up to 0.6 % of their
+    energy at the default step (0.5 % are allowed here), and far more beyond
+    1.1 of the stable step. Bodies that begin with large stresses, which are
+    released, have balances of up to 12 % where they gain no energy; with half
+    of the step these are four times better (presets, release).""",
+    """Where contact is only a few faces wide, the gap gives way under load: a
+    block on a base with a coefficient of friction of 10 penetrates it by a
+    tenth of a cell (friction).""",
+    """Bodies of one or two cells across, in all directions, vibrate for ever.
+    With large amplitudes their energy rises and falls by up to 2 %, with
+    preset fast by up to a sixth (free vibration).""",
+    """Without friction blocks slide off soft bases, as physics has it. Half a
+    block, held by a mirror plane, swings with its base for a million steps
+    and longer (rest under gravity).""",
+    """Rubber with a Poisson's ratio of 0.49 or more that is released from
+    another volume, 40 % less or 60 % more, may gain energy or stop within a
+    few steps: with native cells, with simplicialSingle cells in three
+    dimensions, and at 0.4999, squeezed, with any cells in three dimensions.
+    Since November 2026 nothing resists the rate of the volume; before, most of
+    these runs were stable (release).""",
+    """Bodies that start inside each other are pushed apart, with energy that
+    no body has given (gap).""")
 
 # What is behind that which is not stable
 NOTES = {
-    "release": """A step is as long as is stable in the state in which it
-    begins. Where pressures of hundreds of times the modulus are let go the
-    body gets stiffer within a step: for a few steps what should dissipate
-    feeds instead. With maxCo 0.6 what was squeezed is stable in 3D with
-    simplicial cells, and with simplicialSingle ones at 0.499; with native
+    "release": """The length of a step is what is stable in the state at its
+    beginning. Where pressures of hundreds of times the modulus are released,
+    the body becomes stiffer within a step: for a few steps the dissipation
+    then feeds energy instead. With maxCo 0.6 squeezed bodies are stable in 3D
+    with simplicial cells, and with simplicialSingle ones at 0.499; with native
     cells no step helps. Balances of 0.05 to 0.12 are the accuracy of such a
-    step, no gain: 0.12 becomes 0.05 with two thirds of it.""",
-    "gap": """Surfaces that are inside each other at the start part at the
-    speed gap/tau, tau being the time of a wave through the cells there. What
-    that takes nobody has given: it is the rise of bars that begin 0.05 of a
-    cell inside each other, as large with a small step (0.107 in 1D).""",
+    step, not a gain: with two thirds of the step 0.12 becomes 0.05.""",
+    "gap": """Surfaces that are inside each other at the start separate at the
+    speed gap/tau, where tau is the time of a wave through the cells there. No
+    body has given the energy for this. It is the rise of bars that begin 0.05
+    of a cell inside each other, and is as large with a small step (0.107 in
+    1D).""",
     "cradle": """Contact slows surfaces down before they touch. That costs
-    energy where the gap is a part of a cell: nine times here. With a small
-    step 0.754 of the velocity are left.""",
-    "settling": """What sticks remembers where it began to. Before it did, a
-    block of 2 x 2 x 2 cells on a body of the same cells turned about its
-    vertical axis. Without friction, and without the plane of symmetry, the
-    displacement of a block along its base grows from round-off with 0.03 per
-    unit of time at 5 % of the modulus, 0.003 at 0.5 %.""",
-    "vibration": """Bodies of one or two cells across have vibrations of which
-    nothing is dissipated, since to the jumps of the velocities they are
-    smooth. Their energy comes and goes, since in a step that is not small
-    strains of some tenths are not linear; it does not grow. Before the step
-    was the least of the last ones (recentLeast) they
-    had up to a thousand times their energy: a step that follows the
-    deformation is shorter where the body is squeezed than where it is
-    stretched, in each period, and that pushes. Energies are looked at once in
-    steps/20000 steps: within the first few, in which most is dissipated, the
-    balance is up to 0.03, with preset fast up to 0.22.""",
+    energy where the gap is a fraction of a cell: here nine times. With a small
+    step 0.754 of the velocity remains.""",
+    "settling": """A node that sticks remembers where it began to stick. Before
+    this was so, a block of 2 x 2 x 2 cells on a body of the same cells turned
+    about its vertical axis. Without friction and without the plane of
+    symmetry, the displacement of a block along its base grows from round-off
+    with 0.03 per unit of time at 5 % of the modulus, 0.003 at 0.5 %.""",
+    "vibration": """Bodies of one or two cells across have vibrations without
+    any dissipation, since the velocity jumps do not see them. Their energy
+    varies, since in a step that is not small strains of some tenths are not
+    linear, but it does not grow. Before the step was the least of the last
+    ones (recentLeast), they reached up to a thousand times their energy: in
+    each period, a step that follows the deformation is shorter where the body
+    is squeezed than where it is stretched, and that feeds energy. Energies are
+    sampled once in steps/20000 steps: within the first few, in which most is
+    dissipated, the balance is up to 0.03, with preset fast up to 0.22.""",
     "paper": """Without reconstruction waves dissipate so much that velocities
-    are wrong; with the full one energy rises where all modes of a mesh are
-    excited."""}
+    are wrong; with the full reconstruction energy rises where all modes of a
+    mesh are excited."""}
 
 # All figures of each run; else the last parameter in columns
 LISTED = "single", "cradle", "settling", "resting", "spin", "vibration"
@@ -368,28 +370,29 @@ def write(here, rows):
                       len(some), *(count[o] for o in OUTCOMES),
                       f"{sum(r.seconds for r in some):.0f}"])
     text = "\n".join((
-        "# Stability map", "", wrapped(f"""What is stable, what is not, and
-        why: some thousand small runs, each pushed in one direction until it
-        fails or has nowhere left to go. They are of the default scheme (preset
-        balanced, maxCo {DEFAULT:g}) where nothing else is said; two short
-        groups at the end are of preset paper. Lengths, densities and speeds of
-        waves are of order 1."""), "", HOLDS, "", wrapped("""Written by
-        `tests/robustness/stability/map.py [-jobs N] [group ...]` from
-        `stability/stability.csv`, which has the figures of each run.
-        `tests/robustness/test_stability.py` runs a part of it."""), "",
+        "# Stability map", "", wrapped(f"""This page shows what is stable, what
+        is not, and why. It has more than a thousand small runs, each pushed in
+        one direction until it fails or reaches the end of the range. They use
+        the default scheme (preset balanced, maxCo {DEFAULT:g}) unless stated
+        otherwise; two short groups at the end use preset paper. Lengths,
+        densities and speeds of waves are of order 1."""), "", HOLDS, "",
+        wrapped("""`tests/robustness/stability/map.py [-jobs N] [group ...]`
+        writes this page from `stability/stability.csv`, which has the figures
+        of each run. `tests/robustness/test_stability.py` runs a part of
+        it."""), "",
         "Outcomes:", "",
         *(wrapped(f"- {line}", subsequent_indent="  ") for line in (
-            f"""**stable** (`·`): completed; the energy of all bodies less the
-            work of outer loads is nowhere above an earlier value by more than
-            `rise`, {100*RISE:g} % of the initial energy unless the scene says
-            otherwise; the residual of the balance of energies is at most
-            `balance`, {100*BALANCE:g} % of it; and all other figures of the
-            scene are within the limits given below its table;""",
-            """**gains energy** (`energy`): completed, but the energy rises
-            more;""",
-            "**stopped**: ended with exit code 1 and one message;",
-            """**wrong**: anything else, that is a crash, no end, or a figure
-            out of its limits.""")), "", ""))
+            f"""**stable** (`·`): the run was completed; the energy of all
+            bodies minus the work of external loads never exceeds an earlier
+            value by more than `rise`, {100*RISE:g} % of the initial energy
+            unless the scene says otherwise; the residual of the energy balance
+            is at most `balance`, {100*BALANCE:g} % of it; and all other figures
+            of the scene are within the limits given below its table;""",
+            """**gains energy** (`energy`): the run was completed, but the
+            energy rises more;""",
+            "**stopped**: the run ended with exit code 1 and one message;",
+            """**wrong**: anything else: a crash, a run that does not end, or a
+            figure outside its limits.""")), "", ""))
     text += table(["scene", "group", "runs", *OUTCOMES, "seconds of one core"],
                   lines) + "\n\n"
     for group, some in groups.items():

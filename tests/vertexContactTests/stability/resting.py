@@ -40,9 +40,9 @@ def support(on, law, base):
 
 
 def friction(folder, on, coefficient, **how):
-    """A block under its weight, in equilibrium, slides on a plane or on a
-    clamped base. Its way is that of a rigid block, v t - k g t^2/2 until it
-    stops, but for what it shears and rocks."""
+    """A block in equilibrium under its weight slides on a plane or on a
+    clamped base. Its path is that of a rigid block, v t - k g t^2/2 until it
+    stops, apart from its shearing and rocking."""
     speed, g, height, time = 0.06, 0.02, 0.5, 10
 
     def settled(X):
@@ -77,26 +77,28 @@ def friction(folder, on, coefficient, **how):
 
 def resting(folder, **how):
     """The scene of the last section, with a damping in the first quarter of the
-    time: then all is at rest, in a million steps nothing may stir it, and each
-    row has the same limits. slope: of the base, by the angle of friction."""
+    time. Then all is at rest, and in a million steps nothing may disturb it;
+    all rows have the same limits. slope: of the base, by the angle of
+    friction."""
     return settling(folder, helped=True, **how)
 
 
 def settling(folder, on, friction, cells, ratio, weight, steps, slope=0,
              helped=False, **how):
-    """Gravity is set on at once: a block on a plane, or on a clamped base,
-    bounces in itself until what its waves dissipate brings it to rest. Then
-    nothing may happen. Drift: how far any corner of the block is from its
-    place at the end, in the second half of the time, by a cell. Kinetic energy:
-    by the largest one. Creep: rise of the kept energy in the second half; rise:
-    of the largest energies of each hundredth of the time, since contact stores
-    some and gives it back; both by the energy that is lost from the start to
-    the end. weight: of the block on its base, over Young's modulus; ratio: length of the block's cells over that of
-    the base's; on 'tied': to the base, paired by AMI. Without friction no
-    block rests on a body for ever: the base is softer towards its edges, the
-    block slides off. That is physics. Here it is held in the middle by
-    symmetry, and has only to lose energy: what swings along the base comes to
-    rest slowly, on fine bases not within a million steps."""
+    """Gravity is switched on at once. A block on a plane, or on a clamped
+    base, vibrates until the dissipation of its waves brings it to rest. Then
+    nothing may happen. Drift: largest distance of a corner of the block from its final
+    place in the second half of the time, by the length of a cell. Kinetic
+    energy: by the largest one. Creep: rise of the kept energy in the second
+    half. Rise: that of the largest energies of each hundredth of the time,
+    since contact stores some energy and returns it. Both are relative to the
+    energy that is lost from the start to the end. weight: stress of the block
+    on its base, over Young's modulus; ratio: length of the block's cells over
+    that of the base's; on 'tied': tied to the base, paired by AMI. Without
+    friction no block rests on a body for ever: the base is softer towards its
+    edges, and the block slides off, as physics has it. Here symmetry holds it
+    in the middle, and it has only to lose energy. Swinging along the base dies
+    out slowly, on fine bases not within a million steps."""
     n, g = counts(cells), weight
     material, cp, _ = rubber(0.3)
     fine = round(2*ratio*n[0]), n[1], *(round(ratio*m) for m in n[2:])
