@@ -17,7 +17,7 @@
 namespace
 {
 
-//- Without C++ comments; in quotes there are none
+//- A text without C++ comments; what is in quotes is kept
 std::string withoutComments(const std::string& text)
 {
     std::string rest;
@@ -50,8 +50,8 @@ std::string withoutComments(const std::string& text)
 }
 
 
-//- The text has this name as a whole word, or at the end of a longer one, and
-//  'before' accepts its position
+//- The text has this name where 'before' accepts its position, and not as the
+//  beginning of a longer name
 template<class Before>
 bool stands
 (
