@@ -80,8 +80,8 @@ static nodeGraph elementGraph
 }
 
 
-//- Sum volumes of nodes and area vectors of edges on this rank. FatalError if
-//  elements are inverted
+//- Sum volumes of nodes and area vectors of edges on this rank. FatalIOError
+//  if elements are inverted
 static void addElements
 (
     const polyMesh& mesh,

@@ -35,7 +35,7 @@ static label groupRoot(labelList& parent, label i)
 }
 
 
-//- FatalError for patches over which the dual mesh cannot be closed
+//- FatalIOError for patches over which the dual mesh cannot be closed
 static void checkPatches(const polyMesh& mesh)
 {
     for (const polyPatch& patch : mesh.boundaryMesh())

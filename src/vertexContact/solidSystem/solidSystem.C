@@ -36,8 +36,8 @@ void Foam::solidSystem::evaluateForces(const scalar time, const bool moved)
         body.evaluate(time, choice_.due());
     }
 
-    // Pair only now: before this evaluation, pairing would make another one
-    // necessary
+    // Pair here: if the surfaces were paired after this evaluation, it would
+    // have to be repeated
     if (moved) contacts_.pairMoved(time);
 
     // Solve contact for the last step. At the start of a run the forces act for
