@@ -17,8 +17,8 @@ Usage
     \b vertexContactFoam [OPTION]
 
       - \par -dry-run
-        Read everything, make the first step as a run does, and report memory,
-        step, number of steps and about how long a run takes. Nothing is
+        Read everything, make the first step as a run does, report memory, step,
+        number of steps and about how long a run takes, and end. Nothing is
         written into the case, and no time is renamed. The time of a step is
         measured over one second of trial steps. The estimate is too low where
         bodies that are still apart will touch, where deformation shortens the

@@ -763,7 +763,8 @@ Foam::vector Foam::rigidBody::angularMomentum() const
 {
     if (!Pstream::master()) return vector::zero;
 
-    // A pivoted body has all of its momentum in L, about the pivot
+    // angular() is about the point of reference (a pivot if there is one), at
+    // which the linear momentum counts
     const vector L
     (
         ((start_ + now_.shift) ^ linear(now_)) + angular(now_)
