@@ -17,16 +17,16 @@ Usage
     \b vertexContactFoam [OPTION]
 
       - \par -dry-run
-        Read everything and make the first step, as a run does, report memory,
-        step, number of steps and about how long a run takes, and end. Nothing
-        is written into the case, and no time is renamed. The time of a step is
-        that of steps which are tried for a second: an estimate is too low
-        where bodies that are still apart will touch, where deformation makes
-        steps shorter, and by what it takes to write. Of coarse tutorials, the
-        rings took 1.12 times the estimate with 1.01 times the steps; the
-        Taylor bar, which ends with much shorter steps, 2.7 times the estimate
-        (1.6 times that for a step that goes on falling) with 2.5 times the
-        steps; two bars, whose number of steps is exact, 1.3 s instead of 0.8.
+        Read everything, make the first step as a run does, report memory, step,
+        number of steps and about how long a run takes, and end. Nothing is
+        written into the case, and no time is renamed. The time of a step is
+        measured over one second of trial steps. The estimate is too low where
+        bodies that are still apart will touch, where deformation shortens the
+        steps, and by the time to write. For coarse tutorials: the rings took
+        1.12 times the estimate with 1.01 times the steps; the Taylor bar, which
+        ends with much shorter steps, 2.7 times the estimate (1.6 times that for
+        a step that goes on falling) with 2.5 times the steps; two bars, whose
+        number of steps is exact, 1.3 s instead of 0.8.
 
       - \par -listMaterials, -listStartFields, -listContactLaws,
         -listPairings, -listBoundaryConditions, -listBodyForces, -listSchemes,
@@ -126,7 +126,7 @@ int main(int argc, char *argv[])
 
     while (runTime.run())
     {
-        // Rates of the state that is known, and the step they allow
+        // Rates of the current state, and the stable step
         solids.startStep();
 
         ++runTime;

@@ -16,22 +16,22 @@ namespace
 
 using namespace Foam;
 
-//- State of a corner as it is sent
+//- State of a corner, to be sent to other ranks
 struct cornerState
 :
     public surfacePlace
 {
     scalar one;
-    vector linear;      //!< a linear field
+    vector linear;      //!< value of a linear field
 };
 
-//- What a corner gets
+//- Sums over the overlaps of a corner
 struct cornerSum
 {
-    scalar share = 0;               //!< of its area
-    scalar judged = 0;              //!< of that, what is judged
-    vector force = vector::zero;    //!< of a unit pressure
-    scalar area = 0;                //!< with that
+    scalar share = 0;               //!< covered share of its area
+    scalar judged = 0;              //!< the part of it that is checked
+    vector force = vector::zero;    //!< force of a unit pressure
+    scalar area = 0;                //!< area for that force
 
     void operator+=(const cornerSum& more)
     {
@@ -67,7 +67,7 @@ scalar sumError(const FixedList<scalar, 4>& weights, const label size)
 }
 
 
-//- One side over all processors
+//- Results of one side over all processors
 struct sideSums
 {
     const contactSide side;
@@ -83,16 +83,16 @@ struct sideSums
     scalar greatestSum = 0;
     scalar judgedSum = 0;
 
-    //- Of the overlaps: current area, its first moment about the middle
+    //- Overlaps: current area and its first moment about the middle
     scalar currentArea = 0;
     vector areaMoment = vector::zero;
 
-    //- Errors of the sums of weights
+    //- Largest errors of the sums of weights
     scalar valueError = 0;
     scalar fluxError = 0;
 
-    //- Of a unit pressure: force and moment on the nodes; least and greatest
-    //  traction of corners of covered faces
+    //- Unit pressure: force and moment on the nodes; least and greatest
+    //  traction at corners of covered faces
     vector force = vector::zero;
     vector moment = vector::zero;
     scalar leastTraction = GREAT;
@@ -116,7 +116,7 @@ struct sideSums
         fluxError = max(fluxError, sumError(s.flux, s.size));
     }
 
-    //- Take what the corners of this rank got; complete all sums
+    //- Take the sums of the corners of this rank and complete all results
     void finish(const List<cornerSum>& got, const point& middle)
     {
         const dualPatch& patch = corners.geometry;
@@ -225,13 +225,13 @@ void Foam::checkInterface
     const scalar perWidth = 1/max(width, VSMALL);
     const scalar extent = max(box.mag(), max(width, VSMALL));
 
-    // A linear field that changes by one over a mean width, in each direction
+    // A linear field that changes by one per mean width in each direction
     const auto linear = [&](const point& x)
     {
         return vector(vector::one + perWidth*(x - middle));
     };
 
-    // The plus corners to where the minus side is
+    // Send the plus corners to the ranks of the minus side
     const labelList& near = pairing.plusCorners();
     List<cornerState> plus(near.size());
     forAll(plus, c)
@@ -259,7 +259,7 @@ void Foam::checkInterface
         {"area", "gap", "minusShare", "plusShare", "offset", "rank"}
     );
 
-    // Of edges that cross, the direction across both
+    // For edges that cross, the direction normal to both
     const auto across = [&](const contactOverlap& o)
     {
         if (o.normal.crossing <= 0) return vector(vector::zero);
@@ -283,7 +283,7 @@ void Foam::checkInterface
         const scalar area = at.area, gap = at.gap;
         const vector& n = at.n;
 
-        // Gap and offset. Overlaps that do not face each other do not touch
+        // Gap and offset. Overlaps that do not face each other cannot touch
         const vector between(M.side.body->dual().projected(b.x - a.x));
         const scalar relativeOffset = mag(between - gap*n)/o.width;
         const vector& u = b.linear;
@@ -307,7 +307,7 @@ void Foam::checkInterface
             ++nNotOpposed;
         }
 
-        // Weights, and areas with the gap closed
+        // Weights, and areas as if the gap were closed
         M.addWeights(o.minus);
         P.addWeights(o.plus);
         M.currentArea += at.minusArea;
@@ -315,11 +315,11 @@ void Foam::checkInterface
         M.areaMoment += at.minusArea*(a.x - middle);
         P.areaMoment += at.plusArea*(b.x - gap*n - middle);
 
-        // Transfer
+        // Transfer of a constant and of a linear field
         constantError = max(constantError, mag(b.one - 1));
         ownError = max(ownError, mag(u - linear(b.x)));
 
-        // A unit pressure
+        // Forces of a unit pressure
         magForce += area;
         const bool judged =
             !contact.moves() || gap <= contactLimits::closeGap*o.width;
@@ -409,7 +409,7 @@ void Foam::checkInterface
 
     if (nOverlaps == 0)
     {
-        // Bodies that have not met yet, or are too deep in each other
+        // The bodies have not met yet, or are too deep inside each other
         report.row
         (
             "Boxes of the sides",
@@ -488,7 +488,7 @@ void Foam::checkInterface
             << width << " m" << nl;
     }
 
-    // The judgement. Comparisons that fail for what is not a number, too
+    // The checks. Each comparison also fails for a value that is not a number
     for (const sideSums* s : {&M, &P})
     {
         const std::string& name = report.side(s == &M ? 0 : 1);

@@ -10,26 +10,27 @@ Group
     grpPreProcessingUtilities
 
 Description
-    Checks the pairing of all contact interfaces before a run, or of a result.
-    Reads a case as vertexContactFoam does, prints what lies opposite what and
-    how well values and forces cross, and fails what a run would suffer from.
+    Checks the pairing of all contact interfaces, before a run or of a result.
+    Reads a case as vertexContactFoam does, prints which parts are opposite each
+    other and how accurately values and forces are transferred, and fails what a
+    run would suffer from.
 
-    Of general contact it looks at the pairs of surfaces that have anything
-    opposite each other.
+    For general contact it checks the pairs of surfaces with parts opposite each
+    other.
 
     Writes postProcessing/checkContact/\<time\>/\<interface\>.vtk: a vertex on
     the first side and a line to the other for each overlap, or for each corner
-    opposite an obstacle, with what was found there as cell data.
+    opposite an obstacle, with the results there as cell data.
 
 Usage
     \b checkContact [OPTION]
 
       - \par -latestTime, -time \<ranges\>, -noZero
-        The times to check. Default: that from which a run would start.
+        The times to check. Default: the time from which a run would start.
 
       - \par -minCoverage \<fraction\>
-        Least covered fraction of the area of each side (default 0: not
-        checked, since bodies may be apart, and sides larger than the contact).
+        Least covered fraction of the area of each side (default 0: no check,
+        since bodies may be apart, and sides larger than the contact).
 
       - \par -maxPenetration \<fraction\>
         Largest penetration, by the width of the faces (default 0.05).
@@ -49,12 +50,12 @@ Usage
     \endtable
     (1) nearestFace: of the overlaps whose gap is below 0.05 face widths, since
     curved surfaces cover each other once only where they touch.
-    (2) of the points that an overlap joins, by the width of the faces, where
-    the gap is less than that. The pairings of the reference configuration
-    (matching, AMI) do not follow bodies that slide.
+    (2) distance of the joined points along the surface, over the face width,
+    where the gap is less than the width. The pairings of the reference
+    configuration (matching, AMI) do not follow bodies that slide.
 
-    Matching or AMI surfaces of which nothing overlaps are errors that already
-    reading the case ends with.
+    Matching or AMI surfaces without any overlap are an error when the case is
+    read.
 
     With obstacles a check fails if
     \table
@@ -66,9 +67,9 @@ Usage
 
     The exit code is 0 if all is well, else 1.
 
-    The table also has, not judged: the areas of the overlaps and their first
-    moments on both sides, the transfer of a linear field, the balance of
-    moments of a unit pressure, and the traction that this gives where a corner
+    The table also has values that are not checked: the areas of the overlaps
+    and their first moments on both sides, the transfer of a linear field, the
+    moment balance of a unit pressure, and the resulting traction where a corner
     is fully covered. In 2D and 1D areas are per thickness and cross-section.
 
 \*---------------------------------------------------------------------------*/
@@ -135,7 +136,7 @@ int main(int argc, char *argv[])
            /runTime.timeName()
         );
 
-        // Current normals and stretches, as the solver's first stage has them
+        // Find current normals and stretches, as the solver's first stage does
         for (const contactInterface& contact : solids.interfaces())
         {
             for (const contactSide& side : contact.sides())
@@ -206,8 +207,8 @@ int main(int argc, char *argv[])
 
     if (nFailed)
     {
-        // The destructor of argList ends the program with 0. Ranks that are
-        // faster must not take the master down while it is writing
+        // Return an exit code: the destructor of argList would end the program
+        // with 0. Faster ranks must not stop the master while it is writing
         returnReduce(nFailed, maxOp<label>());
         Pstream::exit(1);
     }

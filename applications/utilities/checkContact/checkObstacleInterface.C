@@ -116,7 +116,7 @@ void Foam::checkInterface
         row("Penetration / face width", penetration);
     }
 
-    // The judgement
+    // The checks
     report.check
     (
         nHit == nCorners,

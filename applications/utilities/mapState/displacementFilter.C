@@ -14,7 +14,7 @@ namespace
 
 using namespace Foam;
 
-//- All of a patch has the same displacement
+//- All points of a patch have the same displacement
 bool movesAsOne(const polyPatch& pp, const vectorField& displacement)
 {
     scalar most = 0;
@@ -71,7 +71,7 @@ void Foam::displacementFilter::smooth
         }
     }
 
-    // Twice as far as a point is off, with the other sign
+    // Minus twice the deviation of a point, summed over its edges
     vectorField jumps(mesh.nPoints(), Zero);
     labelList n(mesh.nPoints(), Zero);
     const Vector<label>& solved = mesh.solutionD();

@@ -7,22 +7,22 @@ Application
     mapState
 
 Description
-    Gives a case the state that another case of the same bodies has at a time,
-    on any mesh of theirs: as one with more cells, to begin under a preload.
+    Gives a case the state of another case of the same bodies at a given time.
+    The meshes may differ: for example a finer mesh can start from a preload.
 
-    Of each region that both cases have, as far as the other has them: pointU,
-    with the boundary conditions of this case, pointD, F0, epsilonPEq, pointT,
-    and contactSlide, which is what friction remembers. Of a metal that has
-    flowed the elastic strain (elasticStrain), to which the solver makes CpInv:
-    where the other case has F, for both, and CpInv is not I everywhere; else
-    its CpInv, with determinant 1 again. What else a run keeps (contactStatus,
-    acceleration, hourglassShare) begins anew.
+    For each region of both cases it maps the fields that the other case has:
+    pointU, with the boundary conditions of this case, pointD, F0, epsilonPEq,
+    pointT, and contactSlide, the memory of friction. For a metal that has
+    flowed it maps the elastic strain (elasticStrain), from which the solver
+    finds CpInv, if the other case has F, and CpInv is not I everywhere.
+    Otherwise it maps CpInv, and scales its determinant back to 1. Other records
+    of a run (contactStatus, acceleration, hourglassShare) begin anew.
 
-    They go from point to point (pointMapping) in the reference configuration,
-    that of the meshes as they were made, displacements with their gradient F -
-    I where the other case has it: patches that move as one stay so. The solver
-    makes momentum and F anew. Regions that only this case has begin as they
-    would.
+    Values are mapped from points to points (pointMapping) in the reference
+    configuration, that of the meshes as they were made. Displacements use their
+    gradient F - I if the other case has F; patches that move as one stay so.
+    The solver computes momentum and F anew. Regions that only this case has
+    begin as they would without mapState.
 
 Usage
     \b mapState <case> [-sourceTime <time>]
@@ -36,10 +36,10 @@ Usage
     Writes the fields to the time that controlDict starts from. This case may
     be decomposed (-parallel); each rank reads all of the other one.
 
-    Throws FatalIOError if the other case has none of the regions or no pointU
-    at that time, if that time is not complete or processors have later ones,
-    for points that are not near its mesh, and if the start time has what a run
-    wrote, or a field that the other case has not: states would be mixed.
+    Throws FatalIOError if the other case has none of the regions, or no pointU
+    at that time; if that time is incomplete, or processors have later ones; for
+    points far from its mesh; and if the start time has results of a run, or a
+    field that the other case lacks: states would be mixed.
 
 SourceFiles
     mapState.C
@@ -69,10 +69,10 @@ using namespace Foam;
 namespace
 {
 
-//- Of CpInv, by how much it may be off I with six digits
+//- How far CpInv may be from I because it was written with six digits
 constexpr scalar roundedStretch = 1e-5;
 
-//- What a field has to keep of its own: of CpInv the determinant
+//- Restore the properties that mapping loses: the determinant of CpInv
 template<class Type>
 void normalise(const word&, Field<Type>&)
 {}
@@ -84,8 +84,8 @@ void normalise(const word& name, Field<symmTensor>& values)
 }
 
 
-//- Each rank by itself reads the mesh and the fields of the other case, and
-//  searches them: as files of their own, whatever those of this case are
+//- While it lives, each rank by itself reads and searches the mesh and the
+//  fields of the other case: as uncollated files, whatever this case has
 class alone
 {
     const bool together_;
@@ -114,7 +114,7 @@ public:
 };
 
 
-//- The latest time of the folders of processors, or -GREAT
+//- The latest time in the processors' folders, or -GREAT
 scalar latestOfProcessors(const fileName& path)
 {
     scalar latest = -GREAT;
@@ -130,8 +130,8 @@ scalar latestOfProcessors(const fileName& path)
 }
 
 
-//- There is a file of that name at the time of a mesh, or in a folder at that
-//  of a case
+//- Whether there is a file of that name at the time of a mesh or, in a folder,
+//  at that of a case
 bool has
 (
     const word& name,
@@ -148,16 +148,16 @@ bool has
 }
 
 
-//- The file of all regions with a field of the other mesh, or nothing. Of F0
-//  only its own: what that of a case is for depends on the region, and a region
-//  with a file must be one that can take it
+//- The file with a field of the other mesh for all regions, or nothing. F0 must
+//  have a file of its own: the meaning of a shared one depends on the region,
+//  and a region with its own file must be one that can take F0
 fileName sharedFile(const word& name, const polyMesh& mesh)
 {
     return name == "F0" ? fileName() : regionFiles::sharedField(name, mesh);
 }
 
 
-//- End where what is there would be mixed with what is mapped
+//- Error: existing data would be mixed with what is mapped
 void refuse(const fileName& file, const char* why)
 {
     FatalFileErrorInFunction(file)
@@ -167,8 +167,8 @@ void refuse(const fileName& file, const char* why)
 }
 
 
-//- How many points of a mesh there are, and how many of them are outside, over
-//  all processors
+//- Number of points of a mesh, and of those that are outside, over all
+//  processors
 labelPair counts(const polyMesh& mesh, const boolList& outside)
 {
     const bitSet masters(syncTools::getMasterPoints(mesh));
@@ -186,8 +186,8 @@ labelPair counts(const polyMesh& mesh, const boolList& outside)
 }
 
 
-//- The values of a point field of the other mesh, in its own file or in that of
-//  the case
+//- Read the values of a point field of the other mesh, from its own file or the
+//  case's
 template<class Type>
 bool readValues(const word& name, const polyMesh& mesh, Field<Type>& values)
 {
@@ -202,7 +202,7 @@ bool readValues(const word& name, const polyMesh& mesh, Field<Type>& values)
     const fileName shared(sharedFile(name, mesh));
     if (!own && shared.empty()) return false;
 
-    // Boundary conditions of the other case are no matter of ours
+    // Boundary conditions of the other case are not needed
     const dictionary dict
     (
         own
@@ -214,7 +214,7 @@ bool readValues(const word& name, const polyMesh& mesh, Field<Type>& values)
 }
 
 
-//- Write values at the points of this case. \return the name
+//- Write values at the points of this case. \return the name of the field
 template<class Type>
 word writeValues
 (
@@ -241,7 +241,7 @@ word writeValues
 }
 
 
-//- Map a field, if the other case has it. \return its name, or nothing
+//- Map a field if the other case has it. \return its name, or nothing
 template<class Type>
 word mapField
 (
@@ -261,8 +261,8 @@ word mapField
 }
 
 
-//- Whether a region of the other case is of metal that has flowed, and its
-//  elastic strain can be had
+//- Whether a region of the other case is of a metal that has flowed, and its
+//  elastic strain can be computed
 bool hasElasticStrain(const polyMesh& source)
 {
     symmTensorField CpInv;
@@ -277,8 +277,8 @@ bool hasElasticStrain(const polyMesh& source)
 }
 
 
-//- The displacement, if the other case has it: with its gradient, if that is
-//  there. \return its name, or nothing
+//- Map the displacement if the other case has it, with its gradient if there is
+//  one. \return its name, or nothing
 word mapDisplacement
 (
     const pointMapping& mapping,
@@ -312,7 +312,7 @@ word mapDisplacement
 }
 
 
-//- The elastic strain of a metal, from F and CpInv of the other case
+//- Map the elastic strain of a metal, from F and CpInv of the other case
 word mapElasticStrain
 (
     const pointMapping& mapping,
@@ -411,7 +411,7 @@ int main(int argc, char *argv[])
         refuse(start/"uniform"/"solidSystem", "this case has run to here");
     }
 
-    // The meshes of the regions that both have. All is looked at before
+    // Meshes of the regions that both cases have. Check everything before
     // anything is written
     const wordList sourceNames(systemChecks::regionNames(sourceTime));
     const wordList names(systemChecks::regionNames(runTime));

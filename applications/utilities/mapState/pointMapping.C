@@ -18,8 +18,8 @@ namespace
 
 using namespace Foam;
 
-//- Weights of points whose sum is 1 and whose mean is a place, as nearly equal
-//  as can be
+//- Weights of points, as equal as possible, such that their sum is 1 and the
+//  weighted mean of the points is the given place
 scalarList linearWeights
 (
     const pointField& points,
@@ -62,8 +62,8 @@ Foam::pointMapping::pointMapping
 
     forAll(target, i)
     {
-        // Where there is none, the cell behind the nearest face of the surface:
-        // not one of another part of the body, whose centre may be nearer
+        // Outside, take the cell behind the nearest face of the surface: the
+        // cell with the nearest centre may belong to another part of the body
         const label inside = search.findCell(target[i], -1, true);
         pointIndexHit surface;
         if (inside < 0)
@@ -83,12 +83,12 @@ Foam::pointMapping::pointMapping
 
         if (inside >= 0)
         {
-            // Weights of the centre of the cell, and of points of one face
+            // Barycentric weights of the cell centre and three points of a face
             label facei, pointi;
             source.findTetFacePt(celli, target[i], facei, pointi);
             if (facei < 0)
             {
-                // Between its tetrahedra, by round-off
+                // Between the tetrahedra, due to round-off
                 weights_[i] = linearWeights(points, cell, target[i]);
                 continue;
             }
@@ -116,7 +116,7 @@ Foam::pointMapping::pointMapping
                 << "both must be of the same body, in the same place"
                 << exit(FatalIOError);
         }
-        // But for round-off
+        // Apart from round-off
         outside_[i] = off > 1e-9*length;
         furthest_ = max(furthest_, off);
         weights_[i] = linearWeights(points, cell, target[i]);

@@ -7,17 +7,18 @@ Application
     placeRegions
 
 Description
-    Before decomposePar: gives each region as a whole to one rank. Many small
-    bodies are cut into pieces of a few cells otherwise, and each step waits for
-    several messages of each body. So ranks have messages of contact only.
+    Assigns each region as a whole to one rank, before decomposePar. Otherwise
+    many small bodies are cut into pieces of a few cells, and each step waits
+    for several messages per body. With whole regions only contact needs
+    messages.
 
-    Regions that are near each other get the same rank, and all ranks about as
-    many cells, but at least one region: the centres of the regions, with their
-    numbers of cells, are divided in the directions x, y and z, one after the
-    other, as OpenFOAM's method hierarchical does. That divides by zero where
-    some ranks have nothing, as with as many ranks as regions. \c n is that of
-    hierarchicalCoeffs in system/decomposeParDict, or without it slices across
-    the longest extent.
+    Neighbouring regions get the same rank. All ranks get about equally many
+    cells, but at least one region. The centres of the regions, with their
+    numbers of cells, are divided in the directions x, y and z in turn, like
+    OpenFOAM's method hierarchical. (That method divides by zero if a rank has
+    nothing, as with as many ranks as regions.) \c n is that of
+    hierarchicalCoeffs in system/decomposeParDict; without it the regions are
+    sliced across their longest extent.
 
 Usage
     \b placeRegions
@@ -50,10 +51,10 @@ using namespace Foam;
 namespace
 {
 
-//- Give regions to n[axis] groups of ranks, by their centres in that
-//  direction, and so on in the next ones.
+//- Distribute regions to n[axis] groups of ranks by their centres in that
+//  direction, then each group in the next directions.
 //  \param regions  at least as many as ranks
-//  \param first  the first of these ranks
+//  \param first  first rank of the groups
 void divide
 (
     const labelList& regions,
@@ -87,8 +88,8 @@ void divide
     label next = 0;
     for (label group = 0; group < n[axis]; ++group)
     {
-        // As many as bring the cells to the share of the groups so far, and as
-        // many as the ranks of this one and of those that follow need
+        // Add regions until the groups so far have their share of the cells.
+        // This group and the following ones need a region for each rank
         const label last = n[axis] - 1;
         const label least = next + ranksOfGroup;
         const label most = sorted.size() - (last - group)*ranksOfGroup;

@@ -14,8 +14,8 @@
 namespace
 {
 
-//- Of F0 and CpInv with six digits: components, and by how much the determinant
-//  is not one
+//- Errors of F0 and CpInv with six digits: of components, and of the
+//  determinant from one
 constexpr Foam::scalar roundedStretch = 1e-6;
 constexpr Foam::scalar roundedDeterminant = 1e-5;
 
@@ -50,7 +50,7 @@ Foam::deformableBody::deformableBody()
     }
     if (material_->plastic())
     {
-        // The old state of a step needs none: it is committed at the end
+        // The old state of a step has none: it is committed at the end
         data_.state.makePlastic();
         if (data_.variational) data_.state.keepFlow();
         const scalar T0 = material_->initialTemperature();
@@ -73,8 +73,8 @@ void Foam::deformableBody::readKinematics
 {
     readDeformation(hasF, hasDisplacement);
 
-    // What a run has written, and what displacements have strained, is at its
-    // yield stress, or beyond it by what the first step flows
+    // A state that a run wrote, or that displacements have strained, is at its
+    // yield stress, or beyond it by the flow of the first step
     if (material_->plastic()) readPlasticState(!hasF && !hasDisplacement);
     else refusePlasticState();
 }
@@ -84,7 +84,7 @@ void Foam::deformableBody::refusePlasticState() const
 {
     for (const word name : {"CpInv", "elasticStrain"})
     {
-        // Those of the case are for the regions that can have them
+        // The case's fields are only for the regions that can have them
         fileName file;
         if
         (
@@ -159,7 +159,7 @@ void Foam::deformableBody::readPlasticState(const bool undeformed)
     auto elastic =
         readIfPresent<symmTensor>("elasticStrain", dimless, &elasticFile);
 
-    // The region's own goes before that of the case
+    // The region's own file has precedence over the case's
     const bool both = C.valid() && elastic.valid();
     const bool CIsOwn = isOwn("CpInv", CFile);
     const bool elasticIsOwn = isOwn("elasticStrain", elasticFile);
@@ -311,7 +311,7 @@ void Foam::deformableBody::commitPlasticity(bodyPowers& accounts)
     conservedState& s = data_.state;
     accounts.plastic += material_->commit(s, ownedVolume_);
 
-    // What has flowed resists less; not more again, which would give energy
+    // What has flowed resists less, and never more again: that would add energy
     forAll(s.hourglassShare, a)
     {
         if (!(s.flow.increment[a] > 0)) continue;

@@ -4,7 +4,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 -------------------------------------------------------------------------------
 Description
-    What is looked for in all of a body, and summed over it.
+    Extremes and sums over a whole body.
 
 \*---------------------------------------------------------------------------*/
 
@@ -27,7 +27,7 @@ Foam::scalar Foam::deformableBody::largestGradient() const
     scalar largest = 0;
     for (label a = 0; a < dual_.nNodes(); ++a)
     {
-        // With the initial stretch, as far as strains are small
+        // Include the initial stretch, to first order in small strains
         tensor gradient(deformationGradient(a) - tensor::I);
         if (material_->initial().on())
         {
@@ -118,8 +118,8 @@ Foam::vector Foam::deformableBody::linearMomentum() const
 
 Foam::vector Foam::deformableBody::angularMomentum() const
 {
-    // x_i p_j - x_j p_i. No component can change that has a direction left out
-    // in both factors
+    // x_i p_j - x_j p_i. A component is constant if neither of its directions
+    // is solved
     tensor sum(Zero);
     withDirections(dual_.nDim(), [&](auto D)
     {

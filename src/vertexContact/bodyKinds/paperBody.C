@@ -130,7 +130,7 @@ void Foam::paperBody::readDeformation
 
 void Foam::paperBody::deformationFromDisplacement()
 {
-    // The gradient of the displacement in place of the velocity
+    // The gradient of the displacement takes the place of the velocity's
     conservedState& s = data_.state;
     const label d = dual_.nDim();
     data_.W = Zero;
@@ -251,8 +251,8 @@ Foam::paperBody::paperBody
     kernel_(vertexKernel::New(data_)),
     boundaryArea_(dual_.nNodes(), Zero)
 {
-    // Boundary areas, too, belong to the surface of a dual cell; those of
-    // mirrors lie inside the whole body
+    // Boundary areas belong to the surface of a dual cell, too, except those of
+    // mirrors, which are inside the whole body
     for (const dualPatch& patch : dual_.patches())
     {
         if (!mirrorPatches_.found(patch.patchIndex))

@@ -15,17 +15,17 @@
 namespace
 {
 
-//- Of the energy of a rigid body at the start, what is not its motion:
-//  velocities that are written with six digits
+//- Share of the energy at the start that may be other than rigid motion:
+//  velocities are written with six digits
 constexpr Foam::scalar largestLost = 1e-12;
 
-//- Square of the change with which the polar decomposition ends: round-off of
-//  nine components; and most passes, for it converges from everywhere
+//- The polar decomposition ends at this square of a change: round-off of nine
+//  components. Then its largest number of passes: it converges from everywhere
 constexpr Foam::scalar turnedEnough = 1e-30;
 constexpr Foam::label mostTurns = 100;
 
-//- Steps in a radian: contact, found at the start of a step, is where it acts,
-//  but for a twentieth of the lever
+//- Steps per radian: contact, found at the start of a step, acts where it was
+//  found, but for a twentieth of the lever
 constexpr Foam::scalar stepsPerTurn = 3;
 
 } // End anonymous namespace
@@ -71,7 +71,7 @@ void Foam::rigidRegion::makeRigid()
             << "are given in mechanicalProperties" << exit(FatalIOError);
     }
 
-    // One normal a mirror
+    // One normal per mirror
     DynamicList<vector> normals;
     for (const dualPatch& patch : dual_.patches())
     {
@@ -81,7 +81,7 @@ void Foam::rigidRegion::makeRigid()
     }
     rigid_.reset(new rigidBody(dict, dual_, vectorField(normals)));
 
-    // What contact may push at most
+    // The largest area on which contact may press
     scalar area = 0;
     for (const label patchi : contactPatches())
     {
@@ -108,7 +108,7 @@ void Foam::rigidRegion::fitRigid()
 {
     const label d = dual_.nDim();
 
-    // Means, and sums about them: of this rank's share
+    // Means, and sums about them, of this rank's share
     scalar mass = 0;
     vector meanX(Zero), meanU(Zero), meanV(Zero);
     const auto displacement = [&](const label a)
@@ -152,7 +152,7 @@ void Foam::rigidRegion::fitRigid()
     reduce(speedSqr, sumOp<scalar>());
 
     // The nearest rotation, by Newton's method for the polar decomposition.
-    // Directions that are left out keep theirs
+    // Directions that are not solved stay as they are
     const scalar size = mag(turned);
     const vector solved(dual_.projected(vector::one));
     for (direction c = 0; c < 3; ++c)
@@ -185,7 +185,7 @@ void Foam::rigidRegion::fitRigid()
     v.velocity = meanV - (v.spin ^ (R & meanX));
     rigid_->setMotion(v, time_.value());
 
-    // The fields may leave out what a motion prescribes, or have all
+    // The fields may contain the prescribed motion or leave it out
     const auto lostBy = [&](const rigidBody::motionState& its)
     {
         scalar lost = 0;
@@ -320,8 +320,9 @@ void Foam::rigidRegion::setOpposite
     const scalar area
 )
 {
-    // All of the surface, corners with something opposite, overlaps: these are
-    // more where a corner meets several faces, less where they begin
+    // Areas of the whole surface, of corners with something opposite, and of
+    // overlaps. The last is larger where a corner meets several faces, smaller
+    // where an overlap begins
     vector areas(0, 0, area);
     for (const label patchi : contactPatches())
     {
@@ -341,7 +342,7 @@ void Foam::rigidRegion::setOpposite
 
 void Foam::rigidRegion::checkStart(const scalar time)
 {
-    // Pushed by a jump, others would get energy from nowhere
+    // A jump would push other bodies, and give them energy from nowhere
     scalar most = 0;
     for (label a = 0; a < dual_.nNodes(); ++a)
     {
@@ -407,7 +408,7 @@ void Foam::rigidRegion::restoreOld()
 
 Foam::labelList Foam::rigidRegion::reactingPatches() const
 {
-    // What holds it acts on it as a whole
+    // The reaction of a held region acts on it as a whole
     return labelList(rigid_->isHeld() ? 1 : 0, constraintReactions::whole);
 }
 

@@ -90,7 +90,7 @@ Foam::variationalBody::variationalBody
         )
     )
 {
-    // The scheme has them in blocks
+    // The scheme has its own copy, in blocks
     dual_.forgetEdgeArea();
     data_.mirrorArea.clear();
     externalForce_.setSize(dual_.nNodes()*dual_.nDim(), Zero);

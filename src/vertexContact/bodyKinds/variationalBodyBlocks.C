@@ -4,9 +4,9 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 -------------------------------------------------------------------------------
 Description
-    Steps of their own: what a body does within its step, the block, while
-    contact is solved several times with the shorter steps of another one. The
-    scheme, and why it cannot feed: stepRatios.H.
+    Sub-cycling: the steps of a body within its block, while contact is solved
+    several times with the shorter steps of another body. stepRatios.H describes
+    the scheme, and why it cannot feed energy.
 
 \*---------------------------------------------------------------------------*/
 

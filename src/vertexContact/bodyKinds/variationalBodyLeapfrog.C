@@ -4,8 +4,8 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 -------------------------------------------------------------------------------
 Description
-    Forces of a body at a time, and the leapfrog: what acts on its surface, what
-    is held, works, and how it moves with the forces of all.
+    Forces of a body at a time, and the leapfrog: forces on its surface, held
+    nodes, works, and the motion that follows from all forces.
 
 \*---------------------------------------------------------------------------*/
 
@@ -17,7 +17,7 @@ Description
 
 void Foam::variationalBody::findCompliances()
 {
-    // Area vector of all surfaces of contact at each node
+    // Area vector at each node, summed over all contact surfaces
     const label d = dual_.nDim();
     scalarField area(dual_.nNodes()*d, Zero);
     const auto forCorners = [&](const auto& f)
@@ -131,7 +131,7 @@ void Foam::variationalBody::addBodyForces(const scalar time)
 
 void Foam::variationalBody::holdDissipation()
 {
-    // What contact or a boundary holds is not moved by the dissipation
+    // Dissipation does not move nodes that contact or a boundary holds
     const label d = dual_.nDim();
     scalar* damping = data_.rates.data() + variationalLayout::second(d);
     const label stride = data_.strideRates;
@@ -289,7 +289,7 @@ Foam::variationalBody::powers Foam::variationalBody::presentPowers() const
     powers p(powersOf(v));
     if (damping_.valid())
     {
-        // With the mean over the half step, so that free motions balance
+        // Use the mean over the half step, so that free motions balance
         // exactly: damping has no swing
         for (label a = 0; a < dual_.nNodes(); ++a)
         {
@@ -328,7 +328,7 @@ void Foam::variationalBody::leap
     scalar* lm = data_.state.lm.data();
     const scalar perRho = 1/data_.rho;
 
-    // Damped as in massDamping; else with all of both
+    // With damping as in massDamping, otherwise undamped
     const scalar T = damping_.valid() ? damping_->tanhOf(kick) : 0;
     const scalar keep = (1 - T)/(1 + T), share = kick/(1 + T);
     withDirections(d, [&](auto D)
@@ -354,8 +354,8 @@ void Foam::variationalBody::leap
 
     if (energy)
     {
-        // With the mean of both velocities the works of all forces are the
-        // growth of the kinetic energy, exactly
+        // With the mean of both velocities the work of all forces is exactly
+        // the growth of the kinetic energy
         scalarField& v = work_;
         forAll(v, k) v[k] = 0.5*perRho*(data_.old.lm[k] + lm[k]);
         const powers p(powersOf(v));

@@ -4,8 +4,8 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 -------------------------------------------------------------------------------
 Description
-    What slow loading asks of a body: scaled mass, damping, stops (massScaling,
-    massDamping, kineticRelaxation).
+    What slow loading requires of a body: scaled mass, damping and stops
+    (massScaling, massDamping, kineticRelaxation).
 
 \*---------------------------------------------------------------------------*/
 
@@ -45,7 +45,7 @@ void Foam::variationalBody::scaleMass
 
 Foam::scalar Foam::variationalBody::undeformedTimeScale()
 {
-    // As a body that begins; the state is put back
+    // Evaluate as at the start of a run; the state is put back afterwards
     conservedState start
     (
         dual_.nNodes(), dual_.nDim(), kinematicsOf(options_, *material_),
@@ -127,7 +127,7 @@ void Foam::variationalBody::startFromRest()
         damping_.valid() ? half/(1 - damping_->tanhOf(half)) : half;
     for (label a = 0; a < dual_.nNodes(); ++a)
     {
-        // Of what is held the rates are zero
+        // Rates of held components are zero
         const scalar* rate = data_.rates.cdata() + a*data_.strideRates;
         for (label i = 0; i < d; ++i)
         {
@@ -141,7 +141,7 @@ Foam::leapfrogBody::forceBalance Foam::variationalBody::balance()
 {
     forceBalance b;
 
-    // Rates are sums already; what acts from outside is this rank's share
+    // Rates are complete sums; external forces are this rank's share
     const label d = dual_.nDim();
     scalarField& loads = work_;
     loads = externalForce_;

@@ -35,7 +35,7 @@ Foam::conservedState::conservedState
     lm(nNodes*nDim, Zero),
     disp(nNodes*nDim, Zero),
     F(nNodes*nDim*nDim, Zero),
-    // One more, to be read with the last column
+    // One entry more, since the last column is read as a whole row
     H(nNodes*strideH + (strideH == 9 ? 1 : 0), Zero),
     J(solvesJ ? nNodes : 0, scalar(1))
 {

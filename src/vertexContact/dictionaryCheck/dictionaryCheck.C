@@ -59,7 +59,7 @@ Foam::word Foam::dictionaryCheck::nearest
             best = w;
         }
     }
-    // Beyond half of its letters a proposal would be a guess
+    // If more than half of the letters differ a proposal would be a guess
     return bestDistance <= label(given.size())/2 ? best : word();
 }
 
@@ -143,7 +143,7 @@ Foam::scalar Foam::dictionaryCheck::readNumber
             << exit(FatalIOError);
     }
 
-    // A word would be taken for the name of a dimensioned type
+    // OpenFOAM would take a word for the name of a dimensioned type
     const ITstream& tokens = dict.lookup(keyword);
     if (tokens.size() && !tokens.last().isNumber())
     {

@@ -17,7 +17,7 @@
 namespace
 {
 
-//- Without C++ comments, which in quotes are none
+//- A text without C++ comments; what is in quotes is kept
 std::string withoutComments(const std::string& text)
 {
     std::string rest;
@@ -50,8 +50,8 @@ std::string withoutComments(const std::string& text)
 }
 
 
-//- The name stands in the text after what 'before' accepts, and is not the
-//  begin of a longer one
+//- The text has this name where 'before' accepts its position, and not as the
+//  beginning of a longer name
 template<class Before>
 bool stands
 (
@@ -128,8 +128,8 @@ void Foam::dictionaryText::include
         }
         else
         {
-            // What need not be there may be absent, unless its name has
-            // variables, which only OpenFOAM replaces
+            // A file that may be absent is not missing, unless its name has
+            // variables, which only OpenFOAM can replace
             const bool optional = kind[0] == 's' || kind == "includeIfPresent";
             complete_ = complete_ && optional && !variable;
         }
@@ -164,7 +164,7 @@ bool Foam::dictionaryText::names(const word& name) const
 
 bool Foam::dictionaryText::uses(const word& name) const
 {
-    // $name, ${name}, and with a scope
+    // $name, ${name}, also with a scope
     const bool variable = stands(all_, name, [&](const size_t i)
     {
         const size_t sign =

@@ -19,10 +19,10 @@ namespace
 
 using namespace Foam;
 
-//- Time for which steps are tried, unless the run is shorter [s]
+//- Time spent on trial steps, unless the run is shorter [s]
 constexpr double trialSeconds = 1;
 
-//- Share by which the number of steps grows that is worth a line
+//- Growth of the number of steps, as a share, from which on it is reported
 constexpr scalar worthTelling = 0.02;
 
 //- Largest memory that the process has had so far [bytes]
@@ -37,8 +37,8 @@ double largestMemory()
     #endif
 }
 
-//- The function objects of controlDict that are of this library, and the names
-//  of others: these write when and where they like
+//- The function objects of controlDict from this library, and the names of the
+//  others: those may write at any time and place
 PtrList<functionObject> ownFunctionObjects
 (
     const Time& runTime,
@@ -85,7 +85,7 @@ void Foam::dryRun(solidSystem& solids, Time& runTime, OSstream& os)
     const scalar readingSeconds = solids.secondsSinceStart();
     const scalar startOfRun = runTime.value();
 
-    // The file's precision would make figures unreadable
+    // With the precision of the files figures would be hard to read
     const int precision = os.precision(4);
 
     wordList others;
@@ -116,8 +116,8 @@ void Foam::dryRun(solidSystem& solids, Time& runTime, OSstream& os)
         return;
     }
 
-    // The first step: not among those that are timed, since it is the first
-    // to touch much of the memory
+    // The first step is not timed, since it is the first to touch much of the
+    // memory
     solids.startStep();
     const scalar deltaT = runTime.deltaTValue();
     const scalar stable = solids.timeStepLimit();
@@ -125,8 +125,8 @@ void Foam::dryRun(solidSystem& solids, Time& runTime, OSstream& os)
     const bool adjusts = solids.control().adjusts();
     endStep();
 
-    // At most as many steps for each look at the clock as there were before:
-    // ranks have to agree on the end
+    // Ranks have to agree on the end. Between two looks at the clock at most
+    // double the number of steps
     const clockTime trial;
     double seconds = 0;
     label tried = 0;
@@ -174,7 +174,7 @@ void Foam::dryRun(solidSystem& solids, Time& runTime, OSstream& os)
             << "Run time: about " << readingSeconds + steps*perStep
             << " s, of which " << readingSeconds << " s to read" << nl;
 
-        // Steps per time that grow evenly, as in the trial
+        // If the number of steps per time grows linearly, as in the trial
         const scalar more =
             0.5*(stable/solids.timeStepLimit() - 1)*(end - startOfRun)
            /(runTime.value() - startOfRun);

@@ -18,10 +18,10 @@ Description
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-// With libstdc++ of GCC 14, which Debian 13 and Ubuntu 24.04 have, the stream
-// for sums in libOpenFOAM refuses single characters: each case with functions
-// ends with an error in IOstream "sha1". Repaired in v2112. This one sums the
-// same text. Programs that are linked with this library find it first.
+// With libstdc++ of GCC 14 (Debian 13, Ubuntu 24.04) the stream for hashes in
+// libOpenFOAM refuses single characters: each case with functions ends with an
+// error in IOstream "sha1". Repaired in v2112. This version hashes the same
+// text. Programs that link this library find it first.
 Foam::SHA1Digest Foam::dictionary::digest() const
 {
     OStringStream os;

@@ -20,7 +20,7 @@
 namespace Foam
 {
 
-//- Weights of one face: scalar and vector, over (corner, node)
+//- Weights of one face, scalar and vector, by (corner, node)
 class cornerWeights
 {
 public:
@@ -196,8 +196,8 @@ static void addFace2D
 }
 
 
-//- The mesh points of the corners of a face: itself in 3D, in 2D the two in
-//  front, in the sense of the face, in 1D the first
+//- The mesh points of the corners of a face: in 3D the face itself, in 2D its
+//  two points in front, in the order of the face, in 1D its first
 static label facePoints
 (
     const polyMesh& mesh,
@@ -412,7 +412,7 @@ void Foam::dualPatch::cornerAreas
 
     for (label k = 0; k < 3*f.size; ++k) areas[k] = 0;
 
-    // Each corner of a triangle has a third
+    // Each corner of a triangle gets a third
     const auto add = [&]
     (
         const label i,
@@ -435,8 +435,8 @@ void Foam::dualPatch::cornerAreas
         return;
     }
 
-    // Nodes share weights where a triangle has both: across a diagonal only
-    // if it splits the face, and without any in the native dual
+    // Nodes have a common weight if they share a triangle: across a diagonal
+    // only if it splits the face, never in the native dual
     const scalar* s = weights.cdata() + f.firstWeight;
     const bool first = s[2] > 0, second = s[7] > 0;
     if (!first && !second)

@@ -61,7 +61,7 @@ bool Foam::dualElements::add3D
     }
 
     // The base inwards, and what is above each of its edges: every other face
-    // that has this edge has it in the sense of the inward base
+    // with this edge has it in the same sense as the inward base
     label v[8];
     label upper[4][2];
     for (label i = 0; i < baseSize; ++i) v[i] = faces[basei][baseSize - 1 - i];
@@ -180,7 +180,7 @@ bool Foam::dualElements::add2D
         n == 3 ? elementTopology::triangle : elementTopology::quadrilateral
     );
 
-    // The base looks against the empty direction
+    // The base faces against the empty direction
     const bool reverse = (nodes.handedness > 0);
 
     for (label i = 0; i < n; ++i)
@@ -225,7 +225,7 @@ bool Foam::dualElements::add1D
 
     if (nEnds != 2 || end[0] == end[1] || faces.size() != 6) return false;
 
-    // The second end is the one that looks in positive direction
+    // The second end is the one that faces the positive direction
     const vector outward = face(faces[endFace]).areaNormal(mesh.points());
 
     if (outward[nodes.directions[0]] < 0)
@@ -253,7 +253,7 @@ Foam::dualElements::dualElements
     start_(mesh.nCells() + 1),
     vertices_(mesh.nCells()*(nodes.nDim == 3 ? 8 : 2*nodes.nDim))
 {
-    // Not mesh.cells(), which stays in memory
+    // Not mesh.cells(), which would stay in memory
     const faceList& faces = mesh.faces();
     const labelList& owner = mesh.faceOwner();
     const labelList& neighbour = mesh.faceNeighbour();

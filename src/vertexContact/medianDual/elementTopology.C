@@ -58,7 +58,7 @@ const Foam::elementTopology& Foam::elementTopology::of(const kind k)
 {
     // Hexahedron: the two splits into five. Prism: the six that follow from
     // the orders of its three upright edges (the two cyclic choices of
-    // diagonals admit no split).
+    // diagonals allow no split).
 
     static const elementTopology topologies[nKinds] =
     {

@@ -33,19 +33,19 @@ Foam::medianDual::cellTreatmentNames
 
 namespace Foam
 {
-    // Edges with less than this part of the faces of their dual cells carry
-    // nothing but round-off, and have no normal
+    // Edges with less than this share of the faces of their dual cells have
+    // only round-off, and no normal
     static const scalar noArea = 1e-14;
 
-    // The mesh's own order is kept unless the mean distance of neighbours gets
-    // shorter than this part of it: at equal distance a structured order
+    // The mesh's own order is kept unless renumbering reduces the mean distance
+    // of neighbours below this share: at equal distance a structured order
     // streams better
     static const scalar worthRenumbering = 0.9;
 
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-//- Neighbours by the edges of all elements
+//- Graph of the nodes that edges of elements connect
 static nodeGraph elementGraph
 (
     const label nNodes,
@@ -80,8 +80,8 @@ static nodeGraph elementGraph
 }
 
 
-//- Add up the volumes of nodes and the area vectors of edges, on this rank.
-//  Fatal if elements are inverted
+//- Sum volumes of nodes and area vectors of edges on this rank. FatalIOError
+//  if elements are inverted
 static void addElements
 (
     const polyMesh& mesh,
@@ -105,8 +105,8 @@ static void addElements
         const elementTopology& topology = elements.topology(elementi);
         const label* nodes = elements.nodes(elementi);
 
-        // Positions relative to the first vertex, for the sake of round-off
-        // far from the origin
+        // Positions relative to the first vertex: less round-off far from the
+        // origin
         scalar elementX[24];
         for (label i = 0; i < topology.nVertices; ++i)
         {
@@ -219,7 +219,7 @@ Foam::medianDual::medianDual(const polyMesh& mesh, const cellTreatment cells)
     );
 
     {
-        // Levels by the edges of the mesh are smaller than by diagonals, too
+        // Levels by the edges of the mesh are smaller than with diagonals
         const labelList newNode
         (
             elementGraph(nodes.size(), elements, decomposition, true)
@@ -276,7 +276,7 @@ Foam::medianDual::medianDual(const polyMesh& mesh, const cellTreatment cells)
         }
     }
 
-    // Keep the edges of this rank that carry anything
+    // Keep only the edges of this rank whose area is not zero
     const bitSet held(sharedEdges::merge(sharing(), graph, nDim_, -1, area));
     DynamicList<label> edgeNodes(2*graph.nEdges());
     DynamicList<scalar> edgeArea(nDim_*graph.nEdges());
@@ -386,7 +386,7 @@ std::size_t Foam::medianDual::bytes() const
 
 void Foam::medianDual::report(Ostream& os) const
 {
-    // Not labels: bytes exceed them
+    // Not labels, since numbers of bytes exceed them
     scalar nodes = sharing_->owned().count();
     scalar edges = nEdges();
     scalar memory = bytes();

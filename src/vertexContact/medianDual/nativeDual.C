@@ -11,8 +11,8 @@
 namespace Foam
 {
 
-//- A part c of the area vector from vertex p to vertex q of an element, and
-//  the volumes below it: cones (triangles) with the two vertices as apexes
+//- Add a part c of the area vector from vertex p to vertex q of an element, and
+//  the volumes below it: cones (triangles) with apexes at the two vertices
 static inline void addPart
 (
     const label p,
@@ -31,7 +31,7 @@ static inline void addPart
         volume += c[k]*(x[q*nDim + k] - x[p*nDim + k]);
     }
 
-    // The middle of the edge is half-way to both
+    // The middle of the edge is half-way to both vertices
     volume /= 2*nDim;
     dual.volume[p] += volume;
     dual.volume[q] += volume;
@@ -101,8 +101,8 @@ void Foam::nativeDual::calculate
                 const label p = f[i];
                 const label q = f[(i + 1) % size];
 
-                // The triangle middle, face centre, centre: the face is
-                // outward, so its edge has the element to the left
+                // The triangle of middle, face centre and centre. The face is
+                // outward, so the element is to the left of its edge
                 scalar toFace[3];
                 scalar toCentre[3];
                 for (label k = 0; k < 3; ++k)
@@ -135,7 +135,7 @@ void Foam::nativeDual::cornerArea
     const scalar* next = x + 3*((corner + 1) % n);
     const scalar* previous = x + 3*((corner + n - 1) % n);
 
-    // Vertex, middle, centre, middle: half the product of the diagonals
+    // A quadrilateral: half the product of its diagonals
     scalar toCentre[3];
     scalar across[3];
 

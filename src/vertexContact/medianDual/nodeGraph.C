@@ -112,9 +112,9 @@ Foam::labelList Foam::nodeGraph::bandCompression() const
     labelList candidates(identity(n));
     std::sort(candidates.begin(), candidates.end(), lessConnected);
 
-    // Breadth-first from a root into order[begin ...], for the component of
-    // the root. Returns the end, the start of the last level and the number
-    // of levels
+    // Breadth-first search from a root, for the component of the root, into
+    // order[begin ...]. Returns the end, the start of the last level and the
+    // number of levels
     labelList order(n);
     labelList visit(n, label(-1));
     label nVisits = 0;
@@ -177,8 +177,8 @@ Foam::labelList Foam::nodeGraph::bandCompression() const
     {
         if (visit[candidate] != -1) continue;
 
-        // A root as far out as possible: from the last level of the previous
-        // attempt, as long as that makes more levels
+        // Find a root far out: a node of the last level of the previous
+        // attempt, as long as that increases the number of levels
         label root = candidate;
         levels current = traverse(root, begin, false);
 

@@ -21,7 +21,7 @@
 namespace Foam
 {
 
-// Operations with the value that leaves the other one as it is
+// Operations, each with its neutral value
 
 struct nodalSum
 {
@@ -71,7 +71,7 @@ void Foam::nodeSharing::combine
 {
     if (!active()) return;
 
-    // Values of a node, in all arrays
+    // Number of values per node in all arrays
     label width = 0;
     for (label i = 0; i < nArrays; ++i) width += arrays[i].second;
 
@@ -81,7 +81,7 @@ void Foam::nodeSharing::combine
         nValues += std::size_t(shared.size())*width;
     }
 
-    // Not initialised: everything is written before it is read
+    // Not initialised, since everything is written before it is read
     std::unique_ptr<scalar[]> sent(new scalar[nValues]);
     std::unique_ptr<scalar[]> received(new scalar[nValues]);
     std::unique_ptr<scalar[]> own
@@ -155,7 +155,7 @@ void Foam::nodeSharing::combine
 
     UPstream::waitRequests(startOfRequests);
 
-    // Ascending ranks, on all sides
+    // All ranks add in ascending order of ranks
     const std::size_t nOwn = std::size_t(sharedNodes_.size())*width;
     std::unique_ptr<scalar[]> total(new scalar[nOwn]);
     std::fill(total.get(), total.get() + nOwn, CombineOp::neutral);
@@ -221,8 +221,8 @@ Foam::nodeSharing::nodeSharing
 
     const label myRank = UPstream::myProcNo(comm_);
 
-    // Points on processor faces: the ranks that have them, and the lowest of
-    // their ids, which is that of the lowest rank
+    // Points on processor faces: the ranks that have them, and their lowest
+    // id, which belongs to the lowest rank
     const globalIndex numbering(nNodes);
     const globalMeshData& globalData = mesh.globalData();
     const labelList& coupledPoints = globalData.coupledPatch().meshPoints();
@@ -253,8 +253,8 @@ Foam::nodeSharing::nodeSharing
         minEqOp<label>()
     );
 
-    // From points to nodes. Each rank that has one point of a node has all
-    // of them, as meshes with empty directions are one cell thick
+    // From points to nodes. A rank with one point of a node has all of them,
+    // as meshes with empty directions are one cell thick
     globalNode_ = identity(nNodes, numbering.toGlobal(0));
 
     labelListList nodeRanks(nNodes);

@@ -17,11 +17,11 @@ namespace
 
 using namespace Foam;
 
-//- Of an edge that several faces have
+//- Mark of an edge that belongs to several faces
 constexpr label shared = -1;
 
-//- The one face of an edge, by its processor, or shared. Processors may tell
-//  each other more than once
+//- Combine the processors of the one face of an edge; shared if they differ.
+//  Processors may tell each other more than once
 struct meet
 {
     void operator()(label& a, const label b) const
@@ -30,11 +30,11 @@ struct meet
     }
 };
 
-//- By how much the normals of two faces differ at an edge of the body
+//- Largest difference of the normals of two faces that is not a rim
 constexpr scalar sharp = 1 + ROOTSMALL;
 
-//- What the faces of a patch have at an edge, or a point: the one face, least
-//  and largest components of their normals
+//- Faces of a patch at an edge or a point: the processor of the one face, and
+//  the least and largest components of the normals
 template<template<class> class MapType>
 struct facesAt
 {
@@ -49,7 +49,7 @@ struct facesAt
         most(size)
     {}
 
-    //- One more face of this processor
+    //- Add a face of this processor
     template<class Key>
     void add(const Key& key, const vector& n)
     {
@@ -58,8 +58,8 @@ struct facesAt
         if (!most.insert(key, n)) most.set(key, max(most[key], n));
     }
 
-    //- Of two faces the components differ by as much as the least and the
-    //  largest ones
+    //- At a rim there is one face, or the normals differ too much: for two
+    //  faces the difference of their components is that of most and least
     template<class Key>
     bool rim(const Key& key) const
     {
@@ -74,7 +74,7 @@ vectorField normals(const polyPatch& faces)
     return areas/max(mag(areas), VSMALL);
 }
 
-//- Of a face, from a corner to the next
+//- Edge of a face from a corner to the next
 edge edgeFrom(const dualPatch& patch, const dualPatch::face& f, const label j)
 {
     return edge
@@ -185,7 +185,7 @@ Foam::boolList Foam::patchRim::ends
     boolList ends(rim);
     for (const label patchi : mirrors)
     {
-        // An edge with both of its points in a plane is in that plane
+        // An edge whose two points are in a plane is in that plane
         labelList in(mesh.nPoints(), label(0));
         for (const label p : mesh.boundaryMesh()[patchi].meshPoints())
         {

@@ -34,7 +34,7 @@ Foam::bitSet Foam::sharedEdges::merge
     const labelList& neighbours = sharing.neighbours();
     const label myRank = UPstream::myProcNo(sharing.comm());
 
-    // Neighbours (their numbers, ascending) of each shared node
+    // Neighbours of each shared node (their numbers, ascending)
     labelList sharedIndex(graph.nNodes(), label(-1));
     forAll(sharedNodes, i)
     {
@@ -50,8 +50,8 @@ Foam::bitSet Foam::sharedEdges::merge
         }
     }
 
-    // Send every edge to all ranks that have both of its nodes: any of them
-    // may have a part of it. From the lower to the higher global node
+    // Send every edge, from its lower to its higher global node, to all ranks
+    // that have both nodes: any of them may have a part of it
     List<DynamicList<label>> ends(neighbours.size());
     List<DynamicList<scalar>> vectors(neighbours.size());
 
@@ -105,8 +105,8 @@ Foam::bitSet Foam::sharedEdges::merge
 
     buffers.finishedSends();
 
-    // Neighbours are in ascending order. The own part comes first where it
-    // matters, on the lowest rank
+    // The own part comes first, then the neighbours in ascending order. On the
+    // lowest rank, where it matters, that is the order of the ranks
     forAll(neighbours, neighbouri)
     {
         UIPstream fromNeighbour(neighbours[neighbouri], buffers);

@@ -15,14 +15,14 @@
 
 namespace Foam
 {
-    // Coordinates that differ by less than this part of the shortest edge of
-    // the mesh count as equal in the order of nodes
+    // Coordinates that differ by less than this share of the shortest edge of
+    // the mesh are equal in the order of nodes
     static const scalar placeTolerance = 1e-3;
 
-    // Where rounding cuts: no fraction that a grid line is likely to be at
+    // Offset of rounding, a fraction at which a grid line is unlikely to be
     static const scalar placeOffset = 0.381966;
 
-    // Volumes up to this part of the element (of the cube of its longest
+    // Volumes up to this share of the element (of the cube of its longest
     // extent) are round-off
     static const scalar splitRoundOff = 1e-10;
     static const scalar elementRoundOff = 1e-15;
@@ -30,7 +30,7 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-//- Rounded coordinate: a whole number, but out of the range of labels
+//- Rounded coordinate: a whole number, but beyond the range of labels
 static inline scalar rounded(const scalar x, const scalar step)
 {
     return std::floor(x/step + placeOffset);
@@ -290,7 +290,7 @@ Foam::simplexDecomposition::simplexDecomposition
                 if (xa[k] != xb[k]) return xa[k] < xb[k];
             }
 
-            // Coincident nodes: never of the same (valid) element
+            // Coincident nodes are never in the same valid element
             return a < b;
         }
     );
@@ -364,7 +364,7 @@ bool Foam::simplexDecomposition::calculate
         }
     }
 
-    // Negated, to catch values that are not finite
+    // Negated, so that values that are not finite are caught
     return
         volume > elementRoundOff*std::pow(extent, nDim_)
      && worst >= -splitRoundOff*volume;

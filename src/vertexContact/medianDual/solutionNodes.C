@@ -15,9 +15,8 @@
 
 namespace Foam
 {
-    // How straight an edge has to be along or across the solution directions,
-    // and how constant the thickness. Generous: meshes are written with few
-    // digits
+    // Tolerance for edges along or across the solution directions, and for a
+    // constant thickness. Generous, since meshes are written with few digits
     static const scalar straightness = 1e-3;
 
 
@@ -36,7 +35,7 @@ static label groupRoot(labelList& parent, label i)
 }
 
 
-//- Patches that the dual mesh cannot be closed over
+//- FatalIOError for patches over which the dual mesh cannot be closed
 static void checkPatches(const polyMesh& mesh)
 {
     for (const polyPatch& patch : mesh.boundaryMesh())
@@ -98,7 +97,7 @@ void Foam::solutionNodes::collapse(const polyMesh& mesh)
                 const label rootP = groupRoot(parent, p);
                 const label rootQ = groupRoot(parent, q);
 
-                // The lower one is the root: ascending order below
+                // The lower one is the root, since order below is ascending
                 parent[max(rootP, rootQ)] = min(rootP, rootQ);
             }
             else if (across > sqr(straightness)*along)
@@ -134,7 +133,7 @@ void Foam::solutionNodes::check(const polyMesh& mesh)
     const label nNodes = nodePoint.size();
     const label nPointsOfNode = (nDim == 2 ? 2 : 4);
 
-    // Bounding box of each node in the directions left out
+    // Bounding box of each node in the directions that are not solved
     bool isEmpty[3] = {true, true, true};
     for (label i = 0; i < nDim; ++i) isEmpty[directions[i]] = false;
 

@@ -36,14 +36,14 @@ void writeKeywords(Ostream& os, const char* of, const keywordList& keywords)
     os  << nl;
 }
 
-//- What is of OpenFOAM
+//- Write names that OpenFOAM provides
 void writeNames(Ostream& os, const char* of, const wordList& names)
 {
     os  << of << nl << "    " << dictionaryCheck::listed(names).c_str() << nl
         << nl;
 }
 
-//- Names, and below each its own keywords
+//- Write names, and below each its keywords
 template<class Table>
 void writeModels(Ostream& os, const wordList& names, const Table& keywordsOf)
 {
@@ -62,7 +62,7 @@ void writeModels(Ostream& os, const wordList& names, const Table& keywordsOf)
     os  << nl;
 }
 
-//- Models of a base class that has the usual tables
+//- Write the models of a base class that has the usual tables
 template<class Base>
 void writeModels(Ostream& os)
 {
@@ -169,7 +169,7 @@ void listSchemes(Ostream& os)
 
 void listPresets(Ostream& os)
 {
-    // A row for each option of any, a column for each preset
+    // A row for each option of any preset, a column for each preset
     const wordList names(preset::names.toc());
     List<keywordList> values(names.size());
     List<stringList> rows(1, stringList(names.size() + 1));
@@ -232,7 +232,7 @@ void listFunctionObjects(Ostream& os)
 }
 
 
-//- An option, what the list begins with, and the rest of it
+//- An option: name, usage, heading of its list, and function that writes it
 struct listOption
 {
     const char* name;
@@ -341,7 +341,7 @@ bool Foam::modelLists::write(const argList& args, Ostream& os)
     }
     if (!any) return false;
 
-    // Models of the user's libraries, as Time would load them
+    // Load the user's libraries, as Time would
     dlLibraryTable libraries;
     IFstream is(args.rootPath()/args.globalCaseName()/"system/controlDict");
     if (is.good())

@@ -4,11 +4,11 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 -------------------------------------------------------------------------------
 Description
-    The pass over the edges that sums up the fluxes: nLanes edges at a time,
-    computed together. Components of a node that are neighbours in memory are
-    loaded, and combined for an edge, as rows; the rows of the edges are
-    transposed to lanes; the fluxes are transposed back and added to the nodes
-    as rows, one edge after the other.
+    The pass over the edges that sums the fluxes, for nLanes edges at a time.
+    Components of a node that are contiguous in memory are loaded, and combined
+    for an edge, as rows. The rows of the edges are transposed to lanes. The
+    fluxes are transposed back and added to the nodes as rows, one edge after
+    the other.
 
 \*---------------------------------------------------------------------------*/
 
@@ -45,16 +45,16 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
     const scalar perZp = 0.5/(d.rho*d.cp);
     scalar dissipation = 0;
 
-    // Rows of an edge: components of v and SigmaJ, of a column, of gradients
+    // Row widths: components of v and SigmaJ, of a column, of gradients
     constexpr int wU = rowWidth(D + nSJ);
     constexpr int wC = rowWidth(D);
     constexpr int wG = strideWidth(sG);
     constexpr int nU = paddedStride(D + nSJ);
     constexpr int nC = paddedStride(D);
 
-    // Places of what an edge has of its nodes: area, twice the deformed area
-    // (2D: sum of F), difference and sum of v and SigmaJ, and of the tractions
-    // (the sum: twice the average), twice the changes of both nodes to mid-edge
+    // Places of the data of an edge: area; twice the deformed area (2D: sum of
+    // F); difference and sum of v and SigmaJ, and of the tractions (the sum is
+    // twice the average); twice the changes of both nodes to mid-edge
     constexpr bool moves = finite && D > 1;
     constexpr int atArea = 0;
     constexpr int atDifference = atArea + nC;
@@ -69,14 +69,14 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
     edgeRows<nOfNodes> of;
     edgeRows<sRates> flux;
 
-    // What the first node gains, the other one loses; waves add up at both
+    // The second node gets the negative fluxes; waves are added at both nodes
     constexpr int wR = strideWidth(sRates);
     alignas(registerBytes) scalar sign[sRates];
     for (int k = 0; k < sRates; ++k) sign[k] = (k == atWave ? 1 : -1);
 
-    // Rates of the first node of the edges, which are sorted by it: complete
-    // with the last of its edges, since those to nodes before it came before.
-    // Then they are divided by the volume, waves are not
+    // Rates of the first node. Edges are sorted by it, and edges from earlier
+    // nodes came before: so a node is complete after its last edge. Then all
+    // rates but the waves are divided by the volume
     row<wR> ratesA[sRates/wR] = {};
     index nodeA = -1, farthest = -1;
     alignas(registerBytes) scalar divided[sRates], undivided[sRates];
@@ -105,7 +105,7 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
     };
     const auto finishUpTo = [&](const index a)
     {
-        // Nodes between have no edges that start there
+        // No edges start at the nodes in between
         while (nodeA < a)
         {
             if (nodeA >= 0) finish();
@@ -114,7 +114,7 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
         }
     };
 
-    // The last edges, if they are fewer than lanes
+    // Copy of the last edges, which may be fewer than lanes
     label lastEdge[2*nLanes];
     scalar lastArea[D*nLanes + 4];
 
@@ -125,7 +125,7 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
         const scalar* areas = edgeArea + D*e0;
         if (e0 + nLanes >= nEdges)
         {
-            // Copied, so that rows of areas can be read to their end
+            // In the copy rows of areas can be read to their end
             for (int l = 0; l < nLanes; ++l)
             {
                 const label e = min(e0 + l, nEdges - 1);
@@ -140,8 +140,8 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
             areas = lastArea;
         }
 
-        // Nodes that edges come to soon, and for the first time, are not in
-        // the cache
+        // Prefetch nodes that edges will soon reach for the first time: they
+        // are not in the cache
         const label soon = min(e0 + prefetchDistance, nEdges);
         for (label e = soon; e < min(soon + nLanes, nEdges); ++e)
         {
@@ -165,7 +165,7 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
             to.template put<atArea, wC>(rowAt<wC>(C));
             to.template put<atDifference, wU>(rowAt<wU>(Wb) - rowAt<wU>(Wa));
 
-            // Sums over the columns of P, and of H
+            // Sums over the columns of P and of H
             row<wC> t{}, tDifference{};
             for (int j = 0; j < D; ++j)
             {
@@ -281,7 +281,7 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
             for (int l = 0; l < some; ++l) dissipation += at.power[l];
         }
 
-        // To the nodes
+        // Add to the nodes
         constexpr int nRates = atRateF + (full ? nP : 0);
         for (int k = nRates; k < sRates; ++k) flux.set(k, lanes{});
         flux.toRows();

@@ -81,8 +81,8 @@ void vertexKernelTemplate<D, nSJ, R, finite>::gradients(vertexData& d) const
     d.grad = Zero;
     scalar* grad = d.grad.data();
 
-    // Edges are sorted by their first node: with the last of its own, all edges
-    // of a node are done
+    // Edges are sorted by their first node: a node is complete after the last
+    // edge that starts there
     label e = 0, farthest = -1;
     for (label a = 0; a < d.nNodes(); ++a)
     {
@@ -148,7 +148,7 @@ void vertexKernelTemplate<D, nSJ, R, finite>::addBoundaryGradients
         {
             const label jEnd = min(nf, j0 + block);
 
-            // Values of the corners: velocity flux, nodal stresses
+            // Values at the corners: velocity fluxes, nodal stresses
             for (label j = j0; j < jEnd; ++j)
             {
                 const label b = patch.cornerNode[start + j];
@@ -292,9 +292,9 @@ scalar vertexKernelTemplate<D, nSJ, R, finite>::boundaryFluxLoop
 
             if constexpr (energy)
             {
-                // What the corner's fluxes store in the node, less the
-                // telescoping part of the edges, against the power that
-                // enters: the difference is dissipated
+                // Energy that the corner's fluxes store in the node, without
+                // the telescoping part of the edges, and power that enters:
+                // the difference is dissipated
                 for (int i = 0; i < D; ++i)
                 {
                     power += vP[i]*force[i];
@@ -328,7 +328,7 @@ label vertexKernelTemplate<D, nSJ, R, finite>::advance
     const updatedPart part
 ) const
 {
-    // H is kept where it is solved (2D: its part out of the plane)
+    // H is stored where it is solved (2D: the out-of-plane component)
     constexpr bool mayH = finite && D > 1;
     const auto go = [&](auto solvesH)
     {
@@ -368,8 +368,8 @@ label vertexKernelTemplate<D, nSJ, R, finite>::advanceNodes
     const scalar weight = 1 - oldWeight;
     label nBad = 0;
 
-    // u + dt r, in the first stage instead of the old u, with which u changes
-    // places afterwards; in later ones averaged with it
+    // u + dt r. The first stage writes it over the old u, which then changes
+    // places with u; later stages average it with the old u
     const auto update = [=]
     (
         auto count,
@@ -446,7 +446,7 @@ label vertexKernelTemplate<D, nSJ, R, finite>::advanceNodes
             update(vectorSize(), &s.lm[a*D], &o.lm[a*D], rates);  // (62a)
         }
 
-        // A state that cannot be continued
+        // Check that the state can be continued
         bool good = true;
         if constexpr (momentum)
         {

@@ -35,10 +35,10 @@ static_assert
     "a name of each pass"
 );
 
-//- For how long the loop is repeated that shows the bandwidth [s]
+//- Time for which the loop that measures the bandwidth is repeated [s]
 constexpr double loopSeconds = 0.1;
 
-//- Share of a step from which on a pass has a line
+//- Least share of a step with which a pass is listed
 constexpr Foam::scalar leastShare = 5e-4;
 
 } // End anonymous namespace
@@ -48,7 +48,7 @@ constexpr Foam::scalar leastShare = 5e-4;
 
 Foam::scalar Foam::passTimes::bandwidth()
 {
-    // Larger than caches
+    // Larger than the caches
     constexpr label n = 1 << 22;
     typedef std::chrono::steady_clock clock;
     scalarField a(n, Zero), b(n, scalar(1)), c(n, scalar(2));
@@ -63,7 +63,7 @@ Foam::scalar Foam::passTimes::bandwidth()
         const clock::time_point one = clock::now();
         for (label i = 0; i < n; ++i) a[i] = b[i] + 3*c[i];
         least = min(least, since(one));
-        // What is computed is used
+        // Use the result, so that the loop is not optimised away
         b[0] = a[n - 1];
     }
     while (since(start) < loopSeconds);
@@ -99,7 +99,7 @@ void Foam::passTimes::report
     }
     line("other", rest);
 
-    // The least that a step can move: what is stored, once
+    // A step moves at least all that is stored, once
     const scalar moved = bytes*nodeSteps*perRank/stepSeconds;
     const scalar most =
         perRank*returnReduce(bandwidth(), sumOp<scalar>());

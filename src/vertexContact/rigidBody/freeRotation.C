@@ -15,7 +15,7 @@ namespace
 
 using namespace Foam;
 
-//- The quaternion of a turn by an angle about an axis of length one
+//- The quaternion of a rotation by an angle about a unit axis
 quaternion turned(const vector& axis, const scalar angle)
 {
     return quaternion(std::cos(0.5*angle), std::sin(0.5*angle)*axis);
@@ -83,7 +83,7 @@ void Foam::freeRotation::turn
     const scalar deltaT
 ) const
 {
-    // In the frame of the body L turns the other way
+    // In the frame of the body L rotates the other way
     vector l(q.invTransform(L));
     const auto aboutOwn = [&](const direction k, const scalar time)
     {

@@ -25,7 +25,7 @@ const word turningAxis("axisRotationMotion");
 const word several("multiMotion");
 const word driven("drivenLinearMotion");
 
-//- What the functions of OpenFOAM read
+//- Keywords that OpenFOAM's functions read
 wordList coefficientsOf(const word& type)
 {
     static const HashTable<wordList> all
@@ -201,7 +201,7 @@ Foam::motionFunction::motionFunction
             << "that is given. Use linearMotion" << exit(FatalIOError);
     }
 
-    // As OpenFOAM finds them
+    // Found as OpenFOAM does
     const dictionary& coeffs = dict_.optionalSubDict(type_ + "Coeffs");
     checkKeywords(coeffs);
     if (type_ == rotating) readRotation(coeffs);

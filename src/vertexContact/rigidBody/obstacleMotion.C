@@ -16,7 +16,7 @@ namespace
 
 using namespace Foam;
 
-//- Of a pose that is found by arithmetic, and of an interval of time
+//- Round-off of a computed pose, and resolution of an interval of time
 constexpr scalar roundOff = 1e-14, resolved = 1e-8;
 
 } // End anonymous namespace
@@ -68,7 +68,7 @@ Foam::obstacleMotion::obstacleMotion
 
         function_.reset(new motionFunction(motion, time_));
 
-        // Before the first step, not in the middle of the run
+        // Fail before the first step, not in the middle of the run
         function_->checkPose(start_);
         function_->checkPose(time_.endTime().value());
     }
@@ -126,8 +126,8 @@ void Foam::obstacleMotion::setTime(const scalar time)
         return;
     }
 
-    // Not before the start, where a table may have no values; and nothing that
-    // depends on where a run was continued, or on how long it is
+    // No times before the start, where a table may have no values. Nothing may
+    // depend on where a run was continued, or on the length of the run
     pose_ = poseAt(time);
     const scalar least =
         given_ > 0 ? given_ : max(resolved*mag(time), SMALL);
@@ -218,7 +218,7 @@ void Foam::obstacleMotion::endOfStep
     const septernion begin(poseAt(max(start_, time - step)));
     const point x(middle.transformPoint(X));
 
-    // The straight line through the means of the halves, at its end
+    // The straight line through the means of both halves, at its end
     constexpr scalar ofSecond = 1.5, ofFirst = 0.5;
     spin =
         ofSecond*obstacleMotion::spin(middle.r(), end.r(), half)

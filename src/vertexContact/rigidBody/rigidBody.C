@@ -18,7 +18,7 @@ namespace
 
 using namespace Foam;
 
-//- Inertia in space of one in the reference configuration
+//- Inertia in space, from that in the reference configuration
 symmTensor turned(const symmTensor& inertia, const quaternion& q)
 {
     const tensor R(q.R());
@@ -26,15 +26,15 @@ symmTensor turned(const symmTensor& inertia, const quaternion& q)
 }
 
 
-//- Instants of the run at which a motion is looked at
+//- Number of intervals of the run at whose ends a motion is checked
 constexpr label nLooks = 16;
 
-//- Part of what moves that leaves the directions of the mesh: a motion is
+//- Share of a motion that may leave the directions of the mesh: a motion is
 //  written with few digits
 constexpr scalar leaves = 1e-6;
 
-//- FatalIOError for a motion that takes a point, and what is around it, out of
-//  the directions that the mesh solves
+//- FatalIOError for a motion that takes a point and its surroundings out of the
+//  directions that the mesh solves
 void checkInMesh
 (
     obstacleMotion& motion,
@@ -55,7 +55,7 @@ void checkInMesh
         bool inside = mag(way - dual.projected(way)) <= leaves*mag(way);
         for (direction i = 0; i < vector::nComponents; ++i)
         {
-            // What is in the mesh stays there, what is across it does not turn
+            // Solved directions stay in the mesh, the others do not turn
             vector e(Zero);
             e[i] = 1;
             const bool solved = mag(dual.projected(e)) > 0;
@@ -138,7 +138,7 @@ void Foam::rigidBody::readFreedoms
             << "it is" << exit(FatalIOError);
     }
 
-    // Directions that the scene has
+    // Solved directions
     const vector solved(dual_.projected(vector::one));
     translation_ = tensor::zero;
     label nAxes = 0;
@@ -183,10 +183,10 @@ void Foam::rigidBody::readFreedoms
       : nAxes == 1 ? freedom::axis
       : freedom::none;
 
-    // Mirrors stay where they are
+    // Mirrors do not move
     for (const vector& n : mirrors)
     {
-        // What is free so far, and along the mirror
+        // The free translation that the mirror takes away
         const vector across(translation_ & n);
         if (mag(across) > SMALL)
         {
@@ -228,7 +228,7 @@ void Foam::rigidBody::readFreedoms
             << exit(FatalIOError);
     }
 
-    // A motion of translation only turns nothing, held or not
+    // A pure translation causes no rotation, held or not
     const bool mayTurn = moved && nDim_ > 1 && !motion_->translates();
     if (moved && !mayTurn && 2*tr(translation_) > 2*nDim_ - 1)
     {
@@ -354,7 +354,7 @@ Foam::rigidBody::reaction Foam::rigidBody::reactionOf
     r.impulse = dual_.projected(linear(now_) - linear(old_) - kick*l.force);
     r.twist = dual_.turning(angular(now_) - angular(old_) - kick*l.moment);
 
-    // A pivot does none
+    // A pivot does no work
     if (motion_.valid())
     {
         r.work =
@@ -452,7 +452,7 @@ Foam::scalar Foam::rigidBody::compliance(const point& X) const
     scalar turning = 0;
     if (rotation_ == freedom::all)
     {
-        // As a force acts that turns the body most
+        // Compliance for the force that turns the body most
         const tensor across(*r);
         const tensor turns
         (
@@ -478,7 +478,7 @@ Foam::rigidBody::motionState Foam::rigidBody::motion
     motionState m{now_.P/mass_.mass, presentSpin()};
     if (rotation_ == freedom::all)
     {
-        // Back to the middle of the step
+        // The spin in the middle of the step
         m.spin += 0.5*lastStep*(free_->inverse(now_.q) & (m.spin ^ now_.L));
     }
     return m;
@@ -493,7 +493,7 @@ Foam::vector Foam::rigidBody::awayFromMotion
 {
     if (!motion_.valid()) return vector::zero;
 
-    // What the next step would make up for: see leap()
+    // The distance that the next step would close: see leap()
     const septernion pose(motion_->poseAt(time));
     vector away
     (
@@ -635,7 +635,7 @@ Foam::rigidBody::works Foam::rigidBody::leap
         now_.L = vector::zero;
     }
 
-    // With the orientation that the loads see
+    // Works, with the orientation at which the loads act
     works sums;
     if (energy && Pstream::master())
     {
@@ -665,7 +665,7 @@ Foam::rigidBody::works Foam::rigidBody::leap
     }
     else if (motion_.valid())
     {
-        // Half way, without the loss of digits of an arc cosine
+        // Half way; an arc cosine would lose digits
         const quaternion& end = pose.r();
         now_.middle +=
             (now_.q.w()*end.w() + (now_.q.v() & end.v()) < 0 ? -1.0 : 1.0)*end;
@@ -763,7 +763,8 @@ Foam::vector Foam::rigidBody::angularMomentum() const
 {
     if (!Pstream::master()) return vector::zero;
 
-    // About a pivot the body has all of it, and its momentum counts from there
+    // angular() is about the point of reference (a pivot if there is one), at
+    // which the linear momentum counts
     const vector L
     (
         ((start_ + now_.shift) ^ linear(now_)) + angular(now_)
@@ -803,14 +804,14 @@ void Foam::rigidBody::read(const dictionary& record)
         return quaternion(q[0], vector(q[1], q[2], q[3]));
     };
     now_.q = orientation("orientation");
-    // Records of earlier versions have one
+    // Records of earlier versions have only one orientation
     now_.middle = orientation
     (
         record.found("middle") ? "middle" : "orientation"
     );
     now_.P = record.get<vector>("momentum");
 
-    // What is free may have changed since
+    // The free directions may have changed since
     const bool held = record.found("spin");
     const vector L
     (

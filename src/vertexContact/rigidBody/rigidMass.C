@@ -18,8 +18,8 @@ namespace
 
 using namespace Foam;
 
-//- Part of the largest principal moment by which it may be more than the sum of
-//  the others: that of a lamina is the sum, in six digits
+//- Share of the largest principal moment by which it may exceed the sum of the
+//  others. For a lamina it is the sum, written with six digits
 constexpr scalar lamina = 1e-6;
 
 //- Integrals over the cells of a mesh
@@ -29,9 +29,9 @@ struct moments
     vector first = vector::zero;
     symmTensor second = symmTensor::zero;
 
-    //- Of the tetrahedron with the origin: means of x and x x over it.
-    //  Directions that are left out have no squares: those of a thick mesh
-    //  would hide the others
+    //- Add the tetrahedron of a, b, c and the origin: means of x and x x over
+    //  it. Directions that are not solved have no squares: those of a thick
+    //  mesh would hide the others
     void add
     (
         const medianDual& dual,
@@ -52,7 +52,7 @@ struct moments
     }
 };
 
-//- Of all processors, about a point. Collective
+//- Integrals over all processors about a point. Collective
 moments integrals(const medianDual& dual, const point& origin)
 {
     const polyMesh& mesh = dual.mesh();
@@ -103,7 +103,7 @@ Foam::rigidMass::rigidMass(const dictionary& dict, const medianDual& dual)
     const scalar volume =
         returnReduce(sum(dual.ownedVolume()), sumOp<scalar>());
 
-    // About the middle of the mesh, which is not far from the origin
+    // About the middle of the mesh: the origin may be far away
     moments m(integrals(dual, mesh.bounds().midpoint()));
     const point middle(mesh.bounds().midpoint() + m.first/m.volume);
     m = integrals(dual, middle);

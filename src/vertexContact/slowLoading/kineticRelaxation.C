@@ -12,8 +12,8 @@
 namespace
 {
 
-//- Kinetic energy of what is held, by the largest of what is free, above which
-//  a prescribed motion goes on
+//- A prescribed motion goes on while the kinetic energy of the held nodes is
+//  above this share of the largest one of the free nodes
 constexpr Foam::scalar heldMoves = 1e-6;
 
 } // End anonymous namespace

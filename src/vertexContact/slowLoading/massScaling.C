@@ -72,7 +72,7 @@ Foam::massScaling::massScaling
         if (!deform.set(i)) continue;
         deformableBody& body = deform[i];
 
-        // Momenta of an earlier run are those of its mass
+        // Momenta of an earlier run belong to the mass of that run
         const bool scaled = settings.size() && settings[i];
         const scalar factor = scaled ? readFactor(*settings[i], body) : 1;
         body.scaleMass

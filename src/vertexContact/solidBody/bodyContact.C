@@ -74,7 +74,7 @@ void Foam::bodyContact::clearAll()
 
 void Foam::bodyContact::sum(scalarField& sums) const
 {
-    // Other nodes' sums are not used
+    // The sums of all other nodes are not used
     const label d = dual_.nDim();
     for (const label a : nodes_)
     {

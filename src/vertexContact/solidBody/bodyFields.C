@@ -208,7 +208,7 @@ void Foam::bodyFields::visitContactFields(const Use& use) const
     const bodyContact& contact = body_.contact();
     if (contact.on())
     {
-        // Corners of other processors add to the nodes of this one
+        // A node gets the sums over its corners on all processors
         vectorField force(contact.force);
         scalarField area(contact.area), gap(contact.gap);
         const nodeSharing& sharing = body_.dual().sharing();

@@ -35,7 +35,7 @@ IOobject input
 }
 
 
-//- A dictionary of the region or of the case, empty if the file is not there
+//- Read a dictionary of the region or of the case, empty if there is no file
 dictionary readIfThere
 (
     const word& name,
@@ -54,8 +54,8 @@ dictionary readIfThere
 }
 
 
-//- fvSchemes of the region or of the case: a dictionary that is nearly ours
-//  would be left out in silence
+//- fvSchemes of the region or of the case. A misspelt dictionary vertexCentred
+//  is an error: otherwise it would be ignored silently
 dictionary readSchemes(const Time& runTime, const objectRegistry& db)
 {
     const word ours("vertexCentred");
@@ -81,8 +81,8 @@ dictionary readSchemes(const Time& runTime, const objectRegistry& db)
 }
 
 
-//- Each entry of a region's field is that of a patch, or says what a kind of
-//  patch is anyway
+//- Check that each entry of a region's field is for one of its patches, or has
+//  a constraint type, which patches have anyway
 void checkPatches(const dictionary& field, const polyMesh& mesh)
 {
     const wordList names(mesh.boundaryMesh().names());
@@ -112,7 +112,7 @@ void checkPatches(const dictionary& field, const polyMesh& mesh)
 }
 
 
-//- The one default region, whose files are those of the case
+//- The mesh is the single default region, whose files are those of the case
 bool isCase(const polyMesh& mesh)
 {
     return mesh.name() == polyMesh::defaultRegion;
@@ -200,7 +200,7 @@ Foam::dictionary Foam::regionFiles::material(const polyMesh& mesh)
         }
     }
 
-    // OpenFOAM's own message if it is not there
+    // If there is none, OpenFOAM ends with its own message
     return IOdictionary(own);
 }
 
@@ -219,7 +219,7 @@ Foam::dictionary Foam::regionFiles::bodyForces(const polyMesh& mesh)
 
 Foam::dictionary Foam::regionFiles::schemes(const polyMesh& mesh)
 {
-    // OpenFOAM's tools want a file for each region, mostly one without our
+    // OpenFOAM's tools require a file in each region, usually without our
     // dictionary
     const Time& runTime = mesh.time();
     dictionary own(readSchemes(runTime, mesh));
@@ -245,8 +245,8 @@ Foam::fileName Foam::regionFiles::sharedField
     const polyMesh& mesh
 )
 {
-    // No others: names such as F may be those of anything; and what friction
-    // remembers is one body's
+    // Start fields only: a name such as F may mean anything else. Not the
+    // memory of friction, which belongs to one body
     if
     (
         isCase(mesh)
@@ -279,13 +279,13 @@ Foam::dictionary Foam::regionFiles::velocity(const polyMesh& mesh)
     const fileName shared(velocityFile(mesh));
     if (shared == own.objectPath())
     {
-        // OpenFOAM's own message if it is not there
+        // If there is none, OpenFOAM ends with its own message
         const localIOdictionary field(own, pointVectorField::typeName);
         checkPatches(field, mesh);
         return field;
     }
 
-    // It knows nothing of the boundaries between processors
+    // The shared file has no entries for the boundaries between processors
     dictionary field(readShared(shared));
     dictionary& patches = field.subDict("boundaryField");
     for (const polyPatch& pp : mesh.boundaryMesh())

@@ -4,8 +4,8 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 -------------------------------------------------------------------------------
 Description
-    Nodes whose motion is prescribed: what may be, and which they are; and what
-    damping makes of velocities.
+    Nodes with prescribed motion: which motions are valid, and which nodes they
+    hold; and the effect of damping on velocities.
 
 \*---------------------------------------------------------------------------*/
 
@@ -20,8 +20,8 @@ Description
 namespace
 {
 
-//- Sine of a direction that leaves the mesh's: directions are written with few
-//  digits
+//- Largest sine of a direction out of the mesh's directions, since directions
+//  are written with few digits
 constexpr Foam::scalar leaves = 1e-6;
 
 } // End anonymous namespace
@@ -35,7 +35,7 @@ Foam::scalar Foam::solidBody::dampedVelocity
     const label i
 ) const
 {
-    // Half a kick, as the leapfrog's
+    // Advance by half a kick, as in the leapfrog
     const label d = dual_.nDim();
     const scalar* lm = data_.state.lm.cdata() + node*d;
     if (!evaluated_ || lastStep_ <= 0) return lm[i]/data_.rho;
@@ -144,7 +144,7 @@ void Foam::solidBody::checkStart(const scalar time)
             corners_.set(patchi) ? condition(patchi).motion() : nullptr;
         if (!motion || !motion->ofDisplacement()) continue;
 
-        // Nodes that other patches hold, too, may be elsewhere: the least jump
+        // Nodes that other patches hold, too, may be elsewhere: take the least
         const vector given(motion->value(time));
         const dualPatch& patch = dual_.patches()[patchi];
         scalar least = GREAT;

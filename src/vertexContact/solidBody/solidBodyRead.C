@@ -4,7 +4,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 -------------------------------------------------------------------------------
 Description
-    What a region begins with: its material, and the fields of the start.
+    What a region starts from: its material and its start fields.
 
 \*---------------------------------------------------------------------------*/
 
@@ -22,8 +22,8 @@ Description
 namespace
 {
 
-//- Velocity that mirrors take at the start without a warning, by that of waves:
-//  round-off
+//- Velocity that mirrors may remove at the start without a warning, over the
+//  wave speed: round-off
 constexpr Foam::scalar largestRemoved = 1e-10;
 
 } // End anonymous namespace
@@ -132,7 +132,7 @@ Foam::initialStretch Foam::solidBody::readInitialStretch
     const auto field = readIfPresent<tensor>("F0", dimless, &file);
     if (!field.valid()) return initialStretch();
 
-    // That of the case is for the regions that can have it
+    // The case's field is only for the regions whose law can take it
     if
     (
         file == regionFiles::sharedField("F0", mesh_)

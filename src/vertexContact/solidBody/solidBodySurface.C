@@ -4,8 +4,8 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 -------------------------------------------------------------------------------
 Description
-    The surface of a body: its boundary conditions, and what contact has to know
-    of it.
+    The surface of a body: its boundary conditions, and the surface data that
+    contact needs.
 
 \*---------------------------------------------------------------------------*/
 
@@ -241,7 +241,7 @@ Foam::scalar Foam::solidBody::surfaceArea
     const label k
 ) const
 {
-    // Along the corner's own normal
+    // Area along the corner's own normal
     const label d = dual_.nDim();
     const dualPatch& patch = dual_.patches()[patchi];
     const scalar* all = surfaces_[patchi].nodeArea.cdata() + k*d;

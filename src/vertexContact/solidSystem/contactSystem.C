@@ -113,7 +113,8 @@ void Foam::contactSystem::read(const Time& runTime)
     {
         properties_.reset(new watchedDictionary(contactIO));
         const dictionary& list = dictionaries();
-        // Pairs with an interface of their own are not those of many
+        // General contact comes last: it leaves out pairs that have an
+        // interface of their own
         for (const bool general : {false, true})
         {
             for (const entry& e : list)
@@ -161,7 +162,7 @@ bool Foam::contactSystem::moves() const
 
 void Foam::contactSystem::solve(const scalar time, const bool firstStage)
 {
-    // Gaps close and open by the status of the latest first stage
+    // Gaps open and close by the status of the latest first stage
     const stopwatch watch(forceSeconds_);
     for (contactInterface& contact : interfaces_)
     {
@@ -180,7 +181,7 @@ void Foam::contactSystem::solve(const scalar time, const bool firstStage)
     {
         contact.solve(firstStage);
     }
-    // In a step of no length nothing touches
+    // In a step of zero length nothing touches
     const bool moves = bodies_.size() && bodies_[0].contact().step() > 0;
     for (label i = 1; moves && i < iterations_; ++i)
     {
@@ -349,7 +350,7 @@ void Foam::contactSystem::restoreStart()
     forAll(bodies_, i)
     {
         bodies_[i].contact().status = oldStatus_[i];
-        // What began to remember in this step had nothing to remember
+        // Memory that began in this step was empty at its start
         vectorField& ways = bodies_[i].contact().slide.ways();
         if (oldSlide_[i].size()) ways = oldSlide_[i];
         else ways = Zero;

@@ -14,7 +14,7 @@ namespace
 
 using namespace Foam;
 
-//- Entry of the record, member of the accounts, and of the energies
+//- Entry of the record, and the members of the accounts and of the energies
 struct accountEntry
 {
     const char* name;
@@ -37,11 +37,11 @@ constexpr accountEntry accountEntries[] =
 
 #undef accountOf
 
-//- Round-off of the strain energy, by mass and the square of the speed of waves
+//- Round-off of the strain energy, over mass times wave speed squared
 constexpr scalar roundOff = 1e-14;
 
-//- Work of contact [J]. What it gives to fluxes of the paper's scheme, and they
-//  take at once, is no gain
+//- Work of contact [J]. What fluxes of the paper's scheme dissipate at once is
+//  not a gain
 scalar netOf(const scalar contactWork, const scalar numericalDissipation)
 {
     return contactWork - max(numericalDissipation, scalar(0));
@@ -68,7 +68,7 @@ Foam::scalarList Foam::energyAccounts::sums() const
     scalarList all(nSums*bodies_.size(), scalar(0));
     forAll(bodies_, i)
     {
-        // To the time of the state, half a step after the last of the leapfrog
+        // The leapfrog's accounts end half a step before the time of the state
         const solidBody& body = bodies_[i];
         solidBody::powers account(accounts_[i]);
         if (on_ && leaping_.size())

@@ -4,8 +4,8 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 -------------------------------------------------------------------------------
 Description
-    The paper's integrators (timeIntegrator), Algorithm 2: stages that are each
-    an evaluation and an update.
+    The paper's integrators (timeIntegrator), Algorithm 2: each stage is an
+    evaluation and an update.
 
 \*---------------------------------------------------------------------------*/
 
@@ -65,8 +65,8 @@ void Foam::solidSystem::advance(const int stage, const updatedPart part)
         );
     }
 
-    // Others hear of it at the end of the step: until then, a state that can
-    // be evaluated
+    // Other ranks hear of it at the end of the step. Until then keep a state
+    // that can be evaluated
     if (nBad)
     {
         wrongNode_ = nodeMessage::here

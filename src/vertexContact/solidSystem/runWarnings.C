@@ -13,12 +13,12 @@ namespace
 
 using namespace Foam;
 
-//- Largest |F - I| at which a law of small strains is a choice, and the one
-//  below which it is as good as others
+//- Largest |F - I| at which a law of small strains may be chosen, and the one
+//  up to which it is as good as others
 constexpr scalar leavesSmall = 0.05;
 constexpr scalar staysSmall = 0.005;
 
-//- Share of its energy above which a gain is worth a warning
+//- Gain, as a share of the energy, that causes a warning
 constexpr scalar gains = 0.01;
 
 } // End anonymous namespace
@@ -97,8 +97,8 @@ void Foam::runWarnings::checkEnergies
 
 void Foam::runWarnings::reportGain() const
 {
-    // Obstacles that move do work, which the first does not know; and the
-    // second takes what contact stores and gives back for a rise
+    // The first rise ignores the work of moving obstacles. The second counts
+    // energy that contact stores and returns as a rise. Take the smaller one
     const scalar rise = min(rise_[0], rise_[1]);
     if (!warnedOfGain_ && rise > gains*largest_ + roundOff_)
     {

@@ -40,7 +40,7 @@ void Foam::solidSystem::readSlowLoading(const dictionary& record)
     }
     forAll(settings, i)
     {
-        // Those that have some deform, by the leapfrog: see above
+        // Bodies with settings deform, and use the leapfrog: see above
         if (!settings[i]) continue;
         dynamic_cast<variationalBody&>(bodies_[i]).setDamping(*settings[i]);
     }
@@ -69,8 +69,8 @@ void Foam::solidSystem::relax(const scalar time)
     reduce(kinetic, sumOp<scalar>());
     if (!relaxation_->atPeak(time, kinetic)) return;
 
-    // Accounts are those of the momenta, energies those of this time, half a
-    // step later (bodyEnergies): these balance before and after
+    // Accounts belong to the momenta, energies to this time, half a step later
+    // (bodyEnergies). So balance both before and after the stop
     const auto book = [&](const scalar sign)
     {
         if (accounts_.on()) accounts_.addStop(sign);

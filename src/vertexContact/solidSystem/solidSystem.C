@@ -30,17 +30,18 @@ void Foam::solidSystem::evaluateForces(const scalar time, const bool moved)
         return;
     }
 
-    // Contact is solved with the velocities that all other forces make
+    // Contact needs the velocities that result from all other forces
     for (leapfrogBody& body : leaping_)
     {
         body.evaluate(time, choice_.due());
     }
 
-    // Here: paired after this evaluation, the bodies were evaluated again
+    // Pair here: if the surfaces were paired after this evaluation, it would
+    // have to be repeated
     if (moved) contacts_.pairMoved(time);
 
-    // Contact is solved for the last step; the forces of the start act for half
-    // of what the first one will be (leap)
+    // Solve contact for the last step. At the start of a run the forces act for
+    // half of the first step (leap)
     const auto solve = [&](const scalar deltaT)
     {
         passTimes::timed(passTimes::contact, [&]
@@ -105,8 +106,8 @@ void Foam::solidSystem::leap(const scalar time)
 
 void Foam::solidSystem::settle(const label nBad)
 {
-    // Outdated pairings and signals share the reduction. The leapfrog has
-    // paired before it solved contact
+    // Outdated pairings and signals share one reduction. The leapfrog has
+    // already paired before it solved contact
     const contactSystem::findings found
     (
         contacts_.look(runTime_.value(), !integrator_.leapfrog())
@@ -203,8 +204,8 @@ void Foam::solidSystem::startStep()
 
     keepStart();
 
-    // With the leapfrog the last step did, unless the state was written or the
-    // bodies were paired since: then as a run does that is started from it
+    // With the leapfrog the last step has evaluated the forces. If the state
+    // was written or the bodies were paired since, evaluate as at a restart
     bool evaluated = integrator_.leapfrog();
     for (const solidBody& body : bodies_)
     {

@@ -21,7 +21,7 @@ void Foam::solidSystem::log()
 
     const label nClosed = contacts_.nClosed();
 
-    // The file's precision would make the line unreadable
+    // With the precision of the files the line would be hard to read
     OSstream& os = Info;
     const int precision = os.precision(6);
 
@@ -89,12 +89,12 @@ void Foam::solidSystem::writeIfDue()
 
 bool Foam::solidSystem::writeData(Ostream& os) const
 {
-    // Bodies set their fields; pairings are found as in a run that is
+    // Bodies set their fields. Pairings are found anew, as in a run that is
     // restarted from here
     solidSystem& self = const_cast<solidSystem&>(*this);
     self.contacts_.askToPairAll();
 
-    // In binary files, uniform fields are text: 17 digits bring back the same
+    // Uniform fields are text even in binary files: 17 digits restore the same
     // double
     const unsigned int digits = IOstream::defaultPrecision();
     if (runTime_.writeFormat() == IOstream::BINARY)
@@ -107,7 +107,7 @@ bool Foam::solidSystem::writeData(Ostream& os) const
     }
     IOstream::defaultPrecision(digits);
 
-    // The run goes on as one that is started from here does
+    // The run continues as a restarted one would
     for (solidBody& body : self.bodies_)
     {
         body.forgetRates();
@@ -132,7 +132,7 @@ bool Foam::solidSystem::writeData(Ostream& os) const
     {
         text<< bodies_[i].recordName() << nl << '{' << nl;
         subCycling_.write(i, text);
-        // Reduced, since every rank writes
+        // Reduce it, since every rank writes
         accounts_.write(i, text);
         if (bodies_[i].massFactor() != 1)
         {
@@ -159,7 +159,7 @@ bool Foam::solidSystem::writeData(Ostream& os) const
     dictionary(IStringStream(text.str())()).write(os, false);
     os.precision(precision);
 
-    // So that a disk that is full is seen before old times are purged
+    // Detect a full disk before old times are purged
     os.flush();
     return os.good();
 }
@@ -167,7 +167,7 @@ bool Foam::solidSystem::writeData(Ostream& os) const
 
 void Foam::solidSystem::reportCost(OSstream& os) const
 {
-    // The file's precision would make figures unreadable
+    // With the precision of the files figures would be hard to read
     const int precision = os.precision(6);
 
     const scalar nodes = sum(subCycling::countNodes(bodies_));

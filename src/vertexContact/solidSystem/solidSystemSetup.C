@@ -4,7 +4,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 -------------------------------------------------------------------------------
 Description
-    How a solidSystem is read, and what it says of itself before the first step.
+    How a solidSystem is read, and what it reports before the first step.
 
 \*---------------------------------------------------------------------------*/
 
@@ -101,14 +101,14 @@ Foam::dictionary Foam::solidSystem::readRecord()
     const IOdictionary record(io);
     const scalar exact = record.get<scalar>("time");
 
-    // Of the folder that it was written into, not of another one that it was
-    // copied to. By its name: where a run needs more digits than timePrecision,
-    // Time starts again with yet more of them, with which the exact time has
-    // another name. Earlier runs have not written it
+    // The record is valid only in the folder into which it was written, not in
+    // a copy. Compare names, not times: if a run needs more digits than
+    // timePrecision, Time restarts with even more digits, and the exact time
+    // gets another name. Records of earlier versions have no name
     const word name(record.getOrDefault("name", runTime_.timeName(exact)));
     if (name != runTime_.timeName()) return dictionary();
 
-    // The folder keeps its name, from which fields are read
+    // The folder keeps its name: fields are read from there
     dimensionedScalar& time = runTime_;
     time.value() = exact;
     return record;
@@ -192,7 +192,7 @@ Foam::solidSystem::solidSystem(Time& runTime)
     systemChecks::integrator(integrator_, preset_, control_, bodies_);
     systemChecks::rigid(control_, bodies_);
     readSlowLoading(record_);
-    // Surfaces are paired with the velocities that they had
+    // Surfaces are paired with the velocities of the earlier run
     readMotions(record_);
     contacts_.read(runTime);
     // With the leapfrog the speed of waves follows the stretch
@@ -216,8 +216,8 @@ Foam::solidSystem::solidSystem(Time& runTime)
         evaluate(done_.start, 0);
     }
 
-    // Time::run() compares the end with deltaT, which is not ours before the
-    // first step
+    // Time::run() compares the end with deltaT. Before the first step that is
+    // not the solver's own
     const scalar left = runTime_.endTime().value() - done_.start;
     if (control_.adjusts() && left > 0)
     {
@@ -256,7 +256,7 @@ void Foam::solidSystem::accountReactions()
         body.accountReactions();
         on = false;
     }
-    // They need the rates of this instant
+    // Reactions need the rates of this instant
     if (!on) evaluate(runTime_.value(), 0);
 }
 

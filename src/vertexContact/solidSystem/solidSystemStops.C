@@ -4,7 +4,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 -------------------------------------------------------------------------------
 Description
-    How a run ends that has gone wrong: the state at the start of the step is
+    How a run ends that has failed: the state at the start of the step is
     written, and a message says where, when, and what the user may do.
 
 \*---------------------------------------------------------------------------*/
@@ -20,8 +20,8 @@ Description
 namespace
 {
 
-//- The fastest node is one of this share of the largest speed: products differ
-//  in the last bits
+//- The fastest node is the first with this share of the largest speed, since
+//  products may differ in the last bits
 constexpr Foam::scalar asFast = 1 - 1e-12;
 
 } // End anonymous namespace
@@ -86,11 +86,11 @@ void Foam::solidSystem::stopStep
     runTime_.setTime(startOfStep_, runTime_.timeIndex() - 1);
     if (integrator_.leapfrog())
     {
-        // Its velocities and tractions, as a run that starts from it has them
+        // Velocities and tractions as a run has them that starts from this
         evaluateForces(startOfStep_, false);
     }
 
-    // The state that the run started from is there already
+    // The state that the run started from exists already
     string written
     (
         dry_ ? "Nothing was written: this is a dry run."
@@ -115,7 +115,7 @@ void Foam::solidSystem::stopStep
 
 void Foam::solidSystem::stopOnBadState()
 {
-    // Where, before the state is put back
+    // Find the place before the state is put back
     const string where = nodeMessage::firstOf
     (
         wrongNode_.size()
@@ -161,8 +161,7 @@ void Foam::solidSystem::checkEnergy()
         return;
     }
 
-    // Where: the body that has least reason for its energy, and its fastest
-    // node
+    // The place: the body whose energy is least explained, and its fastest node
     label worst = 0;
     for (label i = 1; i < bodies_.size(); ++i)
     {

@@ -25,13 +25,13 @@ Foam::scalar Foam::stepChoice::stable()
     }
     forAll(bodies_, i)
     {
-        // It takes the shortest step of all
+        // A rigid body takes the shortest step of all
         if (bodies_[i].rigid()) bodyStep_[i] = shortest;
     }
     if (subCycling_.active()) return subCycling_.stableStep(bodyStep_, bound_);
     if (leapfrog_)
     {
-        // Surfaces that meet come no closer in a step than edges do
+        // In a step surfaces approach by no more than edges may shorten
         shortest = min(shortest, contacts_.closingTime());
     }
     const vector least

@@ -23,8 +23,8 @@ void Foam::subCycling::solve
 {
     passTimes::timed(passTimes::contact, [&]
     {
-        // Blocks are multiples; that of the shortest step is this step. Before
-        // the first common step there was none to have a mean with
+        // All blocks are multiples; the shortest step is its own block. The
+        // first common step has no earlier one to take a mean with
         const bool differ =
             last_.whole > 0 && wholeSteps::several(max(blocks), deltaT);
         forAll(bodies_, i)
@@ -78,7 +78,7 @@ Foam::scalarField Foam::subCycling::countNodes
     scalarField nodes(bodies.size(), Zero);
     forAll(bodies, i)
     {
-        // Of a rigid region none is evaluated
+        // No node of a rigid region is evaluated
         if (bodies[i].rigid()) continue;
         nodes[i] = returnReduce
         (
@@ -102,7 +102,7 @@ Foam::scalar Foam::subCycling::stableStep
         least[i] = stable[i];
         least[n + i] = -bodies_[i].fastestStretching();
     }
-    // Surfaces that meet come no closer in a common step than edges do
+    // In a common step surfaces approach by no more than edges may shorten
     least[2*n] = contacts_.closingTime();
     combineOnAll(least, minEqOp<scalar>());
 
@@ -129,10 +129,10 @@ Foam::scalar Foam::subCycling::wantedStep(recentLeast& longest)
 {
     bounds_.recent = ratios_.least(bounds_.now);
 
-    // Forces act over the mean of two steps. After a longer one that is within
-    // the bound with a shorter one, so that ratios stay as they are where the
-    // step falls little by little: each change of a ratio has its error. Where
-    // it falls by a third and more at once, that is no matter
+    // Forces act over the mean of two steps. After a longer step take a shorter
+    // one whose mean with it is within the bound. So ratios stay as they are
+    // while the step falls slowly: each change of a ratio causes an error. If
+    // the step falls by a third or more at once, that does not matter
     const scalar bound =
         control_.maxCo()
        *ratios_.commonStep(bounds_.recent, longest.of(bounds_.longest));
@@ -170,7 +170,7 @@ void Foam::subCycling::evaluate
     const std::function<scalar()>& firstStep
 )
 {
-    // The displacement of a body is half of its step ahead of the momentum
+    // The displacement of a body is half of its own step ahead of its momentum
     scalarField blocks(bodies_.size());
     forAll(bodies_, i)
     {
@@ -186,7 +186,7 @@ void Foam::subCycling::evaluate
         body.keepFreeRates();
     }
 
-    // As solidSystem::evaluateForces
+    // As in solidSystem::evaluateForces
     const auto solveFor = [&](const scalar deltaT)
     {
         const scalarField afters(bodies_.size(), 0.5*last_.shortest);
@@ -243,7 +243,7 @@ Foam::label Foam::subCycling::leap
     const scalar ahead = 0.5*last_.shortest;
     old_ = last_;
 
-    // Short steps of a block; how far the displacement is ahead after it
+    // Short steps in a block, and how far the displacement is ahead after it
     labelList length(n);
     scalarField step(n), blocks(n), afters(n, ahead);
     forAll(bodies_, i)
@@ -255,8 +255,8 @@ Foam::label Foam::subCycling::leap
         leaping_[i].restoreFreeRates();
     }
 
-    // From the instant of the momentum at the start of the common step; the
-    // times of the displacements
+    // Times of the displacements, counted from the instant of the momentum at
+    // the start of the common step
     const auto timeOf = [&](const label i, const label j)
     {
         return
@@ -279,7 +279,7 @@ Foam::label Foam::subCycling::leap
     label nBad = 0;
     for (label j = 0; j < most; ++j)
     {
-        // The last common step has evaluated the first ones, with contact
+        // The last common step has evaluated the first blocks, with contact
         forAll(bodies_, i)
         {
             const bool begins = j % length[i] == 0;

@@ -17,11 +17,11 @@
 namespace
 {
 
-//- Fastest impact, by the speed of waves, in which all surfaces kept apart: as
+//- Fastest impact, over the wave speed, in which all surfaces stayed apart, as
 //  measured (tests/robustness/stability.md)
 constexpr Foam::scalar fastImpact = 0.7;
 
-//- Names of the integrators that a condition holds for
+//- Names of the integrators for which a condition holds
 template<class Condition>
 Foam::string integrators(const Condition& holds)
 {
@@ -158,7 +158,7 @@ void Foam::systemChecks::integrator
     {
         for (const solidBody& body : bodies)
         {
-            // Twice the same node where ranks share it: never too few
+            // Counts a node once on each rank that shares it: never too few
             const label nodes =
                 returnReduce(body.dual().nNodes(), sumOp<label>());
             if (nodes <= std::pow(3, body.dual().nDim()))
@@ -297,7 +297,7 @@ void Foam::systemChecks::impacts
             (a.material().stretchesWaves() && !a.options().stretchedWaves)
          || (b.material().stretchesWaves() && !b.options().stretchedWaves);
 
-        // Of an obstacle: as if it were at rest
+        // Obstacles are taken to be at rest
         const vector v(a.meanVelocity());
         const scalar speed = mag(sides.size() > 1 ? v - b.meanVelocity() : v);
         const scalar cp = min(a.material().cp(), b.material().cp());

@@ -14,7 +14,7 @@
 void Foam::takeLargePages(void* begin, const std::size_t bytes)
 {
 #if defined(MADV_HUGEPAGE)
-    // Of most processors
+    // Size on most processors
     constexpr std::size_t large = 1 << 21;
     if (bytes < large) return;
 
@@ -22,7 +22,7 @@ void Foam::takeLargePages(void* begin, const std::size_t bytes)
     const std::uintptr_t at = reinterpret_cast<std::uintptr_t>(begin);
     const std::uintptr_t first = (at + page - 1)/page*page;
 
-    // Advice: where it is not taken nothing is different but the time
+    // Only advice: if it is refused, nothing but the time changes
     void* advised = reinterpret_cast<void*>(first);
     ::madvise(advised, at + bytes - first, MADV_HUGEPAGE);
 #endif

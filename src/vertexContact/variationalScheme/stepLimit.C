@@ -16,8 +16,8 @@ namespace
 
 using namespace Foam;
 
-//- M^-1/2 (f C + g K) M^-1/2; what C and K are: variationalKernel.H. Vectors
-//  are rows of four, tensors D of them, column by column
+//- M^-1/2 (f C + g K) M^-1/2, with C and K of variationalKernel.H. Vectors are
+//  rows of four, tensors are D such rows, column by column
 template<int D>
 class stepOperator
 {
@@ -37,13 +37,13 @@ class stepOperator
         scalar ofK_ = 0;
         labelList place_;
 
-        //- Of edges: area vector and its magnitude; which way, and one over
-        //  how far
+        //- Edges: area vector and its magnitude; reach and one over its
+        //  length
         alignedScalars area_;
         alignedScalars reach_;
 
-        //- Of displacements; their gradients G; what acts on G; and what forces
-        //  are made of
+        //- Displacements; their gradients G; additional stress on G; and the
+        //  stress that gives the forces
         alignedScalars w_;
         alignedScalars grad_;
         alignedScalars more_;
@@ -68,7 +68,7 @@ class stepOperator
             std::fill(f.data(), f.data() + f.size(), scalar(0));
         }
 
-        //- f(node, node, area, way), with what stands behind them
+        //- Call f(node, node, area, reach) for each edge, with 4th components
         template<class Function>
         void forEdges(const Function& f)
         {
@@ -82,7 +82,7 @@ class stepOperator
             }
         }
 
-        //- f(node, node, weight)
+        //- Call f(node, node, weight) for each pair of boundary nodes
         template<class Function>
         void forPairs(const Function& f)
         {
@@ -97,8 +97,8 @@ class stepOperator
             }
         }
 
-        //- What is summed over edges, per volume, at shared nodes and in
-        //  mirrors, too
+        //- Complete sums over edges: per volume, at shared nodes and in
+        //  mirrors
         void complete(alignedScalars& T)
         {
             for (index a = 0; a < n_; ++a)
@@ -234,14 +234,14 @@ public:
         }
     }
 
-    //- Take f and g
+    //- Set f and g
     void set(const scalar ofC, const scalar ofK)
     {
         ofC_ = ofC;
         ofK_ = ofK;
     }
 
-    //- No more than D components, and nothing through mirrors
+    //- Remove components beyond D, and motion through mirrors
     void constrain(scalarField& u) const
     {
         for (index a = 0; a < n_; ++a)
@@ -261,8 +261,8 @@ public:
         gradients();
         stresses();
 
-        // Jumps of positions and velocities: forces, and what acts on G, of
-        // which they were reconstructed; with that of the corrections
+        // Jumps of positions and velocities: their forces, and their action on
+        // G, from which they were reconstructed; with that of the corrections
         y = Zero;
         zero(more_);
         const scalar wave = 0.5*ofC_*x_.frontEpsilon;
@@ -284,14 +284,14 @@ public:
             const vec jump =
                 rowAt<4>(w_.data() + 4*b) - rowAt<4>(w_.data() + 4*a) - change;
 
-            // Of the velocities the stretching is left
+            // Jumps of velocities keep the stretching
             const vec c = threeOf(C), way = threeOf(r);
             const scalar magC = C[3], perLength2 = sqr(r[3]);
             const vec left = jump + (dot(change, way)*perLength2)*way;
             const vec s =
                 (wave*d_.cs*magC)*left
               + (wave*(d_.cp - d_.cs)*dot(left, c)/magC)*c;
-            // edgeStiffness()
+            // As edgeStiffness()
             const vec elastic = (jumpModulus*magC*r[3])*jump;
             rowAt<4>(y.data() + 4*a) -= s + elastic;
             rowAt<4>(y.data() + 4*b) += s + elastic;
@@ -312,7 +312,7 @@ public:
             rowAt<4>(stress_.data() + k) += rowAt<4>(more_.data() + k);
         }
 
-        // The adjoint of G
+        // The adjoint of G gives the forces
         forEdges([&]
         (
             const index a, const index b, const vec& C, const vec&
@@ -346,7 +346,7 @@ public:
         }
     }
 
-    //- Sum of products over all nodes
+    //- Scalar product over all nodes
     scalar product(const scalarField& u, const scalarField& v) const
     {
         scalar sum = 0;
@@ -386,10 +386,9 @@ Foam::stepLimit::stepLimit
         };
         squaredFrequency_ = largest(0, 1, lanczos::steps);
 
-        // The largest eigenvalue over tau is a convex function of it, and
-        // grows no faster than by K's share: from a step that is stable
-        // follows a longer one that is, too, and from one that is not a
-        // shorter one
+        // The largest eigenvalue over tau is convex in tau, and grows no faster
+        // than K's share. So a stable step gives a longer one that is stable,
+        // and an unstable step gives a shorter one
         const scalar slope = 0.25*squaredFrequency_;
         const auto next = [&](const scalar tau, const label n)
         {
@@ -399,7 +398,7 @@ Foam::stepLimit::stepLimit
             return 1/(b + std::sqrt(sqr(b) + slope));
         };
 
-        // The first one is only where the second begins
+        // The first result is only the start of the second, longer iteration
         step_ = next
         (
             next(0.5/std::sqrt(slope), lanczos::steps/2), lanczos::steps

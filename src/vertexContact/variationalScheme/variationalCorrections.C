@@ -4,12 +4,12 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 -------------------------------------------------------------------------------
 Description
-    The pass over the edges that looks at the motion: corrections of the
+    The pass over the edges that evaluates the motion: corrections of the
     gradient, jumps of the positions with their forces, jumps of the velocities,
-    which the pass of the fluxes takes up, and the squares of the sensor.
+    which the pass of the fluxes uses, and the squares of the sensor.
 
-    In three dimensions what is of first degree is computed row by row, edge by
-    edge, and only what is not in lanes: transposing is what costs.
+    In 3D linear terms are computed row by row, edge by edge, and only the rest
+    in lanes, since transposing is expensive.
 
 \*---------------------------------------------------------------------------*/
 
@@ -23,7 +23,7 @@ Description
 namespace Foam
 {
 
-//- The lanes of component k of a block of edges
+//- Lanes of component k of a block of edges
 inline const lanes& laneAt(const scalar* block, const int k)
 {
     return reinterpret_cast<const lanes&>(block[k*nLanes]);
@@ -35,7 +35,7 @@ inline lanes& laneAt(scalar* block, const int k)
 }
 
 
-//- Keep what the fluxes need of the motion of a block of edges
+//- Store what the fluxes need of the motion of a block of edges
 template<int D>
 inline void store(scalar* block, const edgeMotion<D, lanes>& m)
 {
@@ -44,7 +44,7 @@ inline void store(scalar* block, const edgeMotion<D, lanes>& m)
 }
 
 
-//- The same motion, with the edges as they are
+//- Load that motion, for the deformed edges
 template<int D>
 inline edgeMotion<D, lanes> motionAt(const scalar* block, const lanes* dx)
 {
@@ -57,21 +57,21 @@ inline edgeMotion<D, lanes> motionAt(const scalar* block, const lanes* dx)
         xx += dx[i]*dx[i];
     }
     m.stretching = laneAt(block, D);
-    // Along a line nothing has to be projected
+    // In 1D nothing has to be projected
     if constexpr (D > 1) m.perLength2 = reciprocal(xx);
     return m;
 }
 
 
-//- The corrections of a block of edges: what it reads and adds to
+//- Corrections of a block of edges: the data that it reads and adds to
 template<int D, bool finite>
 template<bool corrects>
 class variationalKernelTemplate<D, finite>::correctionSums
 {
     static constexpr int sT = D*sA;
 
-    // In 2D and 3D: sums of the first node, in registers as long as it is the
-    // same. In 2D both columns are one row
+    // In 2D and 3D the sums of the first node, in registers until another node
+    // is first. In 2D both columns are one row
     static constexpr int wC = D == 3 && !corrects ? 4 : 8;
     static constexpr int nC = D == 2 ? 1 : D;
 
@@ -83,7 +83,7 @@ class variationalKernelTemplate<D, finite>::correctionSums
         const scalar half_;
         const scalar jumpModulus_;
 
-        //- Of nodes, or nothing
+        //- Share with which the jumps of each node resist, or nullptr
         const scalar* share_;
 
         scalar* correction_;
@@ -98,7 +98,7 @@ class variationalKernelTemplate<D, finite>::correctionSums
 
     // Private Member Functions
 
-        //- The first node of edge l
+        //- Start with the first node of an edge, if it is another one
         __attribute__((always_inline))
         inline void comeTo(const index a)
         {
@@ -113,8 +113,8 @@ class variationalKernelTemplate<D, finite>::correctionSums
             other_ = rowAt<8>(sensor_ + a*sS);
         }
 
-        //- Edges as they are, and differences of velocities.
-        //  \param change  of both nodes of U
+        //- Set deformed edges, and differences of velocities.
+        //  \param change  differences of U between both nodes
         __attribute__((always_inline))
         static inline void setEdge
         (
@@ -132,7 +132,7 @@ class variationalKernelTemplate<D, finite>::correctionSums
             }
         }
 
-        //- How fast edges become shorter and longer
+        //- Record how fast edges become shorter and longer
         __attribute__((always_inline))
         inline void see(const edgeMotion<D, lanes>& m)
         {
@@ -141,7 +141,7 @@ class variationalKernelTemplate<D, finite>::correctionSums
         }
 
         //- Square of the haste of edges.
-        //  \param acceleration  difference of both nodes
+        //  \param acceleration  difference between both nodes
         __attribute__((always_inline))
         static inline lanes haste(const lanes* acceleration, const lanes* dx)
         {
@@ -162,8 +162,8 @@ class variationalKernelTemplate<D, finite>::correctionSums
             return edgeStiffness(jumpModulus_, CC, rr);
         }
 
-        //- The mean share of both nodes with which jumps resist, of edges that
-        //  there are
+        //- Mean of both nodes' shares with which jumps resist, for the n edges
+        //  that exist
         __attribute__((always_inline))
         inline lanes shares(const label* ends, const int n) const
         {
@@ -196,7 +196,7 @@ public:
     {}
 
 
-    //- What the sums of a node begin with
+    //- Set the initial sums of a node
     __attribute__((always_inline))
     inline void begin(const index a) const
     {
@@ -207,7 +207,7 @@ public:
     //- The node whose sums are in registers
     index node() const { return node_; }
 
-    //- Write them
+    //- Write the sums
     __attribute__((always_inline))
     inline void keep() const
     {
@@ -231,11 +231,11 @@ public:
     }
 
 
-    //- A block of edges: in one dimension
+    //- A block of edges in 1D.
     //  \param ends  both nodes of each edge
-    //  \param n  edges
+    //  \param n  number of edges
     //  \param C, r  area and reach, in lanes
-    //  \param motion  what the fluxes need
+    //  \param motion  stored for the fluxes
     __attribute__((always_inline))
     inline void block1
     (
@@ -246,8 +246,8 @@ public:
         scalar* motion
     )
     {
-        // Differences of displacement and velocity; that of the first
-        // derivatives, the sum of the second
+        // Differences of displacement and velocity, difference of the first
+        // derivatives, and sum of the second ones
         constexpr row<4> sign = {-1, 1, 0, 0};
         lanes of[8], dx[D], dv[D];
         lanesOf(of, [&](const int l)
@@ -283,7 +283,7 @@ public:
     }
 
 
-    //- The same in two: all in lanes
+    //- The same in 2D: everything in lanes
     __attribute__((always_inline))
     inline void block2
     (
@@ -319,7 +319,7 @@ public:
             });
         }
 
-        // What is added to columns, and to forces and squares
+        // Contributions to columns, and to forces and squares
         lanes out[8] = {}, change[D], square{};
         for (int i = 0; i < D; ++i)
         {
@@ -394,7 +394,7 @@ public:
     }
 
 
-    //- The same in three: what is of first degree edge by edge
+    //- The same in 3D: linear terms edge by edge
     __attribute__((always_inline))
     inline void block3
     (
@@ -420,8 +420,8 @@ public:
         });
         setEdge(dx, dv, r, of);
 
-        // G r of the displacement, L dx of the velocity: from both nodes; the
-        // acceleration besides
+        // Sums over both nodes of G r for the displacement and L dx for the
+        // velocity; then the acceleration
         const scalar* byV =
             finite ? reinterpret_cast<const scalar*>(dx) : r;
         lanesOf(of, [&](const int l)
@@ -507,7 +507,7 @@ label variationalKernelTemplate<D, finite>::correctLoop
     const label firstLate = pass.late;
     const index places = x.motionPlaces;
     label nBad = 0;
-    // Apart from the loops, for which there are registers enough without it
+    // Not inlined: it would take registers from the loops
     const auto completeBefore = [&](const label end) __attribute__((noinline))
     {
         complete.before(end, [&](const index a)
@@ -526,8 +526,8 @@ label variationalKernelTemplate<D, finite>::correctLoop
     };
     for (; block.valid(); ++block)
     {
-        // All edges before this block are done, and so are the nodes before
-        // its first one, or, in 2D and 3D, that of the last edge
+        // All edges before this block are done. So are the nodes before its
+        // first one or, in 2D and 3D, before that of the last edge
         if constexpr (D == 1) completeBefore(block.nodes()[0]);
         else if (block.completes()) completeBefore(sums.node());
         block.ahead([&](const index a)
@@ -550,7 +550,7 @@ label variationalKernelTemplate<D, finite>::correctLoop
     completeBefore(block.leave(pass, begin));
     for (label late = firstLate; D > 1 && late < pass.late; ++late)
     {
-        // Before the sums over processors: those of the rates follow
+        // Before the sums over processors, which include the rates
         takeForce(d, x, x.lateNodes[late]);
     }
     sums.rates(x.closing, x.fastest);

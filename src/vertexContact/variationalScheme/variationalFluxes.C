@@ -5,7 +5,7 @@
 -------------------------------------------------------------------------------
 Description
     The pass over the edges that needs stresses and sensor: adjoint of the
-    corrections, dissipation and its adjoint; and the pass that sums up waves
+    corrections, dissipation and its adjoint. Also the pass that sums the waves
     for the bound of the step.
 
 \*---------------------------------------------------------------------------*/
@@ -44,13 +44,13 @@ inline row<4> variationalKernelTemplate<D, finite>::waveArea3
 }
 
 
-//- The fluxes of a block of edges: what it reads and adds to
+//- Fluxes of a block of edges: the data that it reads and adds to
 template<int D, bool finite>
 template<bool corrects>
 class variationalKernelTemplate<D, finite>::fluxSums
 {
-    // In 2D and 3D: sums of the first node, in registers as long as it is the
-    // same
+    // In 2D and 3D the sums of the first node, in registers until another node
+    // is first
     static constexpr int nX = D == 3 ? 3 : 1;
     static constexpr int wR = D == 3 ? 4 : 2;
 
@@ -79,8 +79,8 @@ class variationalKernelTemplate<D, finite>::fluxSums
 
     // Private Member Functions
 
-        //- Sums of S, M and N of both nodes and the smaller M; the least of
-        //  all, which are M and minus the larger factor of waves
+        //- Sums of S, M and N of both nodes and the smaller M; and the minima
+        //  of all values, for M and for minus the larger wave factor
         struct squares
         {
             row<4> sums, least;
@@ -96,10 +96,10 @@ class variationalKernelTemplate<D, finite>::fluxSums
         }
 
         //- Dissipation of edges.
-        //  \param dx  as they are
-        //  \param c  areas as they are. \param CC  squares as they were
+        //  \param dx  deformed edges
+        //  \param c  deformed areas. \param CC  squares of undeformed areas
         //  \param S  squares of both nodes, and the smaller M (jumpSensor)
-        //  \param factor  of waves
+        //  \param factor  wave factor
         __attribute__((always_inline))
         inline edgeDissipation<D, lanes> dissipation
         (
@@ -123,7 +123,7 @@ class variationalKernelTemplate<D, finite>::fluxSums
             );
         }
 
-        //- The first node of an edge
+        //- Start with the first node of an edge, if it is another one
         __attribute__((always_inline))
         inline void comeTo(const index a)
         {
@@ -173,7 +173,7 @@ public:
     {}
 
 
-    //- Minus the factor of waves of a node, in the record that edges read
+    //- Put minus the wave factor of a node into the record that edges read
     __attribute__((always_inline))
     inline void begin(const index a) const
     {
@@ -181,7 +181,7 @@ public:
             stretched_ ? -factors_[a] : -1;
     }
 
-    //- A node that edges come to
+    //- Prepare a node that edges reach for the first time
     __attribute__((always_inline))
     inline void ahead(const index a) const
     {
@@ -197,7 +197,7 @@ public:
     //- The node whose sums are in registers
     index node() const { return node_; }
 
-    //- Write them
+    //- Write the sums
     __attribute__((always_inline))
     inline void keep() const
     {
@@ -211,11 +211,11 @@ public:
     }
 
 
-    //- A block of edges: in one dimension
+    //- A block of edges in 1D.
     //  \param ends  both nodes of each edge
-    //  \param n  edges
+    //  \param n  number of edges
     //  \param C, r  area and reach, in lanes
-    //  \param motion  of the corrections
+    //  \param motion  stored by the corrections
     __attribute__((always_inline))
     inline void block1
     (
@@ -237,8 +237,8 @@ public:
         }
         const lanes CC = squareOf(C, c);
 
-        // With them differences of the stresses, times the area, as they act
-        // on displacements: beta/2 (P_a - P_b) C
+        // Also load differences of the stresses, for beta/2 (P_a - P_b) C:
+        // stress times area, as it acts on displacements
         lanesOf(of, [&](const int l)
         {
             const index a = ends[2*l], b = ends[2*l + 1];
@@ -271,7 +271,7 @@ public:
     }
 
 
-    //- The same in two: all in lanes
+    //- The same in 2D: everything in lanes
     __attribute__((always_inline))
     inline void block2
     (
@@ -351,7 +351,7 @@ public:
     }
 
 
-    //- The same in three: the stresses edge by edge
+    //- The same in 3D: stresses edge by edge
     __attribute__((always_inline))
     inline void block3
     (
@@ -510,7 +510,7 @@ void variationalKernelTemplate<D, finite>::sumWaves
     const bool stretched = d.waveFactor.size();
     scalar* waves = x.waves().data();
 
-    // That of the first node, as long as it is the same
+    // Sums of the first node, kept until another node is first
     index node = -1;
     row<sK> sum{};
 
@@ -521,7 +521,7 @@ void variationalKernelTemplate<D, finite>::sumWaves
         zeroAt<sK>(waves + a*sK);
         if constexpr (finite && D == 3)
         {
-            // The state may be another one than that of the last forces
+            // The state may have changed since the last forces
             const SolidTensor<D> f = loadF<D>(F, a);
             row<4> columns[D];
             for (int j = 0; j < D; ++j)

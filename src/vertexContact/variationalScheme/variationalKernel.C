@@ -15,7 +15,7 @@
 namespace
 {
 
-//- Scalars for n of each edge, in whole blocks
+//- Number of scalars for n per edge, in whole blocks
 Foam::label inBlocks(const Foam::vertexData& d, const Foam::label n)
 {
     return
@@ -76,7 +76,7 @@ Foam::variationalData::variationalData
             if (smoothed) smoothing[e] += 0.5/(nDim + 1)*C*r;
         }
     }
-    // Behind the last edge it is itself, without an area
+    // Fill up the last block with copies of the last edge, without an area
     for (label e = d.dual.nEdges(); e % nLanes; ++e)
     {
         const label last = (d.dual.nEdges() - 1) % nLanes;
@@ -105,7 +105,7 @@ void Foam::variationalData::setLate(const labelList& nodes, const label nDim)
 
 void Foam::variationalData::keepMotion(const label nEdges, const label nDim)
 {
-    // A power of two: places are found without a division
+    // A power of two, so that places are found without a division
     label n = nLanes;
     while (n < nEdges) n *= 2;
     if (n*variationalLayout::motionOf(nDim) >= motion.size()) return;
@@ -136,8 +136,8 @@ void Foam::variationalData::addPairs(const dualPatch& patch, const label nDim)
                 pairNodes[2*pair] = min(a, b);
                 pairNodes[2*pair + 1] = max(a, b);
 
-                // Both nodes have the same weight of each other's value, of
-                // which either sees the difference
+                // Both nodes have the same weight of each other's value; each
+                // one sees the difference
                 for (label i = 0; i < nDim; ++i)
                 {
                     pairArea[nDim*pair + i] = w[nDim*(p*f.size + j) + i];

@@ -4,10 +4,10 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 -------------------------------------------------------------------------------
 Description
-    The passes of the variational scheme over the edges that have little to
-    compute, gradient and its transpose: rows of nodes are added as they are.
-    Where there is more nLanes edges are computed together: the passes of
-    variationalCorrections.C and variationalFluxes.C.
+    The passes of the variational scheme over the edges that compute little, the
+    gradient and its transpose: rows of nodes are added directly. Passes that
+    compute more handle nLanes edges together: variationalCorrections.C and
+    variationalFluxes.C.
 
 \*---------------------------------------------------------------------------*/
 
@@ -35,8 +35,8 @@ label variationalKernelTemplate<D, finite>::gradients
     const label nPairs = x.pairNodes.size()/2;
     scalar* grad = x.grad.data();
 
-    // Edges, and pairs, are sorted by their first node: with the last of its
-    // own, all of a node are done
+    // Edges and pairs are sorted by their first node: a node is complete after
+    // the last edge and pair that start there
     index e = pass.edge, pair = pass.pair, met = pass.met;
     const index start = pass.complete;
     const index end = edgeBlocks::nodesBefore(d.dual, pass.end);
@@ -65,7 +65,7 @@ label variationalKernelTemplate<D, finite>::gradients
     };
     if constexpr (D == 2)
     {
-        // Both columns in a row, twice what they are until the node is complete
+        // One row has both columns, doubled until the node is complete
         const auto twice = [&](const index a)
         {
             return twiceAt(U + a*sU + atU);
@@ -217,7 +217,7 @@ void variationalKernelTemplate<D, finite>::forces
     const label nEdges = d.dual.nEdges();
     scalar* rates = d.rates.data();
 
-    // A column of T, and the rates that it makes, without what follows it in 1D
+    // A column of T, and the resulting rates; in 1D without the rest of the row
     constexpr int w = 2*second;
 
     const label nPairs = x.pairNodes.size()/2;
@@ -249,7 +249,7 @@ void variationalKernelTemplate<D, finite>::forces
 
     if constexpr (D == 2)
     {
-        // Both columns in a row
+        // One row has both columns
         for (index a = start; a < end; ++a)
         {
             const row<8> Ta = rowAt<8>(T + a*8);
@@ -306,8 +306,8 @@ void variationalKernelTemplate<D, finite>::forces
             rowAt<w>(rates + b*sR) -= f;
         }
 
-        // All edges of this node are done: what the dissipation makes is part
-        // of the whole
+        // All edges of this node are done. The whole rate includes the
+        // dissipation's
         sum *= x.perV[a];
         scalar* rate = rates + a*sR;
         rowAt<w>(rate) = sum;

@@ -4,7 +4,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 -------------------------------------------------------------------------------
 Description
-    What is done with a node when all of its edges have added to it.
+    Work on a node after all of its edges have added to it.
 
 \*---------------------------------------------------------------------------*/
 
@@ -96,14 +96,14 @@ inline bool variationalKernelTemplate<D, finite>::deformRow
     const row<8>& g
 )
 {
-    // From the derivatives of the displacement in both columns
+    // From the derivatives of the displacement, both columns in one row
     const row<4> H = picked<5, 4, 1, 0>(g)*row<4>{1, -1, -1, 1}
       + row<4>{1, 0, 0, 1};
     const scalar det = H[0]*H[3] - H[1]*H[2];
     const row<4> inverse = H*(1/det);
     rowAt<4>(x.inverse.data() + a*nP) = inverse;
 
-    // L_ij = sum_k dv_i/dX_k inverse_kj, and the displacement's as they are
+    // L_ij = sum_k dv_i/dX_k inverse_kj; derivatives of the displacement stay
     constexpr row<8> one = {1, 1, 0, 0, 1, 1, 0, 0};
     const row<8> per = joined(inverse, row<4>{});
     rowAt<8>(x.grad.data() + a*D*sA) =
@@ -298,7 +298,7 @@ inline bool variationalKernelTemplate<D, finite>::moveNode
         storeRows(F + a*nP, f[0], f[1], f[2]);
         if constexpr (finite)
         {
-            // In place of L, which the corrections have taken
+            // Overwrite L, which the corrections have used
             const row<4> H = storeCofactor(x.grad.data() + a*D*sA, f);
             const scalar J = dotOfThree(f[0], H);
             if (x.smoothed) x.jacobian[a] = J;
@@ -343,7 +343,7 @@ inline void variationalKernelTemplate<D, finite>::stressNode
     scalar* T = x.adjoint.data() + a*D*sA;
     if constexpr (D == 2)
     {
-        // Each row both columns
+        // Each row has both columns
         row<8> sum = rowAt<8>(T);
         if constexpr (finite)
         {

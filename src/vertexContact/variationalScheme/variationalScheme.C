@@ -18,8 +18,8 @@ namespace
 
 using namespace Foam;
 
-//- 1 - M between square roots of the volumes, so that it is symmetric, for
-//  lanczos
+//- 1 - M between square roots of the volumes, so that it is symmetric: an
+//  operator for lanczos
 class removedShare
 {
     // Private data
@@ -133,18 +133,18 @@ void Foam::variationalScheme::boundFrequencies()
 
     if (x_.smoothed) findFilter();
 
-    // In uniaxial strain nothing shears
+    // In uniaxial strain there is no shear
     if (d > 1) x_.jumpModulus = ofShearModulus*material_.mu();
 
-    // What the operator has, in two digits: not the last bits, which depend on
-    // the number of processors
+    // Round the operator's result to two digits: its last bits depend on the
+    // number of processors
     const stepLimit limit(data_, x_, symmetry_);
     const scalar ratio = limit.squaredFrequency()/(sqr(data_.cp)*largest);
     x_.boundRatio =
         std::ceil(hundredths*ratio*(1 - lanczos::roundOff))/hundredths;
     largestFrequency_ = data_.cp*std::sqrt(x_.boundRatio*largest);
 
-    // The state is undeformed yet
+    // The state is still undeformed
     const scalar bound = returnReduce(boundOfStep(), minOp<scalar>());
     x_.stepRatio =
         std::floor(hundredths*limit.step()/bound*(1 + lanczos::roundOff))
@@ -177,7 +177,7 @@ void Foam::variationalScheme::findFilter()
     removedShare removed(kernel_, data_, x_);
     const scalar largest = lanczos::largestOf(removed, data_, lanczos::steps);
 
-    // Of alike cells it may be hundredths, up to round-off
+    // With equal cells it may be whole hundredths, but for round-off
     x_.filter =
         hundredths/std::ceil(hundredths*largest*(1 - lanczos::roundOff));
 }
@@ -247,7 +247,7 @@ void Foam::variationalScheme::goOn(const label p, const label end)
         }
     }
 
-    // What mirrors alone wait for is complete with the last edge, too
+    // Nodes that wait only for mirrors are complete with the last edge, too
     if (p < forces && !dual_.sharing().active()) completeLate(p, pass.late);
 }
 
@@ -324,7 +324,7 @@ void Foam::variationalScheme::findStress(const label end)
 
 Foam::label Foam::variationalScheme::mostBetween() const
 {
-    // Where no node waits for other ranks
+    // The case in which no node waits for other ranks
     edgePass passes[nPasses] =
         {edgePass(-1), edgePass(-1), edgePass(-1), edgePass(-1)};
     label most = 0;
@@ -436,7 +436,7 @@ void Foam::variationalScheme::findJacobian()
 
 void Foam::variationalScheme::smoothPressure()
 {
-    // SigmaJ where it acts, S SigmaJ, in place of that of the smoothed J
+    // S SigmaJ acts in place of the SigmaJ of the smoothed J
     passTimes::timed(passTimes::volume, [&]
     {
         forAll(x_.jacobian, a)
@@ -508,8 +508,8 @@ Foam::label Foam::variationalScheme::deform()
 
 Foam::label Foam::variationalScheme::computeForces(const bool wavesAnew)
 {
-    // What is made of all nodes is waited for, else each pass follows the one
-    // before
+    // Passes follow each other directly, except that the smoothed Jacobian has
+    // to wait for all nodes
     const label last = x_.smoothed ? corrections : forces;
 
     start();
@@ -545,8 +545,8 @@ Foam::scalar Foam::variationalScheme::timeScale(const bool anew)
     if (anew) bound_ = boundOfStep();
     if (!data_.finiteStrain) return bound_;
 
-    // No edge loses more than a third of its length in a step: what is bounded
-    // here is the stiffness at its start
+    // No edge loses more than a third of its length in a step, since the bound
+    // is from the stiffness at the start of the step
     return min(bound_, 1/(stepsToClose*x_.closing + VSMALL));
 }
 

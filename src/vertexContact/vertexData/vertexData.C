@@ -60,7 +60,7 @@ Foam::vertexData::vertexData
     }
     if (variational)
     {
-        // Where it is needed its kernel makes it
+        // The kernel forms it where needed
         state.H.clear();
         state.strideH = old.strideH = 0;
         old.F.clear();

@@ -20,14 +20,14 @@ namespace
 
 using namespace Foam;
 
-//- Find the times that are not complete in all processors' folders and deal
-//  with each on this one.
-//  \return the latest that is complete, on the master; empty if that is the
-//      latest anyway
+//- Call setAside for the latest times that are not complete in the folders of
+//  all processors, on each processor.
+//  \return the latest complete time, on the master; empty if nothing was set
+//      aside
 template<class SetAside>
 word forIncomplete(const argList& args, const SetAside& setAside)
 {
-    // One folder for all processors has no times that are this one's
+    // If processors share one folder a processor has no times of its own
     const word type(fileHandler().type());
     if (type != "uncollated" && type != "masterUncollated") return word();
 
@@ -59,7 +59,7 @@ word forIncomplete(const argList& args, const SetAside& setAside)
         }
     }
 
-    // The latest that is complete wherever there are times
+    // A time is complete if it is on every processor that has times
     List<wordList> ofRank(Pstream::nProcs());
     ofRank[Pstream::myProcNo()] = complete;
     Pstream::gatherList(ofRank);
@@ -128,7 +128,7 @@ bool Foam::writtenTimes::ends(const fileName& file)
     std::string tail;
     if (!isFile(file, false))
     {
-        // Compressed: from the start
+        // A compressed file is read from its start
         char block[4096];
         while (in.read(block, sizeof(block)) || in.gcount() > 0)
         {

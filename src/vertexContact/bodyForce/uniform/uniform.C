@@ -7,12 +7,10 @@ Class
 
 Description
     The same acceleration [m/s2] everywhere, a constant or any Function1 of
-    time: a support that shakes, seen from the support, or gravity that is
-    switched on slowly. Components in directions that the scene leaves out are
-    ignored.
+    time: for example a shaking support, seen in its own frame, or gravity that
+    is applied slowly. Components in directions that are not solved are ignored.
 
-    Throws FatalIOError for an acceleration that is missing, and for keywords
-    that are not its own.
+    Throws FatalIOError for a missing acceleration and unknown keywords.
 
 Usage
     \verbatim

@@ -7,8 +7,7 @@ Class
 
 Description
     Surface of pointU that takes part in the contact interfaces of
-    constant/contactProperties; traction free where and while it touches
-    nothing.
+    constant/contactProperties. It is traction free wherever it touches nothing.
 
 Usage
     \verbatim

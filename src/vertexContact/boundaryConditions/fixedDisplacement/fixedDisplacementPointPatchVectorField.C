@@ -6,18 +6,18 @@ Class
     Foam::fixedDisplacementBoundary
 
 Description
-    Prescribed displacement of a surface, a condition of pointU: all of it, some
-    components, or what is along a direction (prescribedMotion).
+    Prescribed displacement of a surface, a condition of pointU: the whole
+    vector, some components, or one direction (prescribedMotion).
 
-    In each step the nodes have the velocity that brings them from where they
-    are to X + u(t) at its end: round-off does not add up, and a run that is
-    restarted goes on from there. Their reaction is the force that is left
-    (reactionForces). A displacement that starts with a jolt makes a wave: a
-    table with smooth ends, or Function1's of that kind, do not.
+    In each step the nodes get the velocity that brings them from their current
+    position to X + u(t) at the end of the step. So round-off does not
+    accumulate, and a restarted run continues from where it was. The reaction is
+    the remaining force (reactionForces). A displacement that starts abruptly
+    sends a wave into the body; use a table or Function1 with smooth ends.
 
-    Where the surface is at the start of the run has to be u then, to 1e-3 of
-    its boundary cells: a jump would be a step's. Not with preset paper, whose
-    conditions are fluxes.
+    At the start of the run the surface must be at X + u, to 1e-3 of its
+    boundary cells: otherwise the first step would close the difference. Not
+    with preset paper, whose conditions are fluxes.
 
 Usage
     \verbatim

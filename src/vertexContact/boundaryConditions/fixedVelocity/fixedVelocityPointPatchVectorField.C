@@ -6,13 +6,13 @@ Class
     Foam::fixedVelocityBoundary
 
 Description
-    Prescribed velocity of pointU: all of it, some components, or what is along
-    a direction (prescribedMotion). A velocity of zero clamps the surface.
+    Prescribed velocity of pointU: the whole vector, some components, or one
+    direction (prescribedMotion). A velocity of zero clamps the surface.
 
-    Nodes of such a patch have that velocity in the middle of each step, and
-    their reaction is the force that is left (reactionForces). With \c preset
-    \c paper it is imposed through the flux of a rigid neighbour (39),
-    t^B = t + [z_p n n + z_s (I - n n)] (v^B - v), and all of it only.
+    Nodes of such a patch have this velocity in the middle of each step. Their
+    reaction is the remaining force (reactionForces). With \c preset \c paper
+    the whole vector only, imposed through the flux of a rigid neighbour (39):
+    t^B = t + [z_p n n + z_s (I - n n)] (v^B - v).
 
 Usage
     \verbatim

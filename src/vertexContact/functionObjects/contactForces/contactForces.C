@@ -27,17 +27,17 @@ struct pairForces
     vector minus, plus;
 };
 
-//- Numbers of a pair that are added up over the processors
+//- Values of a pair that are summed over the processors
 struct pairSums
 {
     vector force, impulse, plusForce, plusImpulse;
     scalar area, nOpen, nStick, nSlip, gapArea, gapForce, friction;
 
-    //- Magnitudes of the impulses, whatever their sign on each processor
+    //- Magnitudes of the impulses, which may cancel between processors
     scalar turnover;
 };
 
-//- And of which the largest counts
+//- Values of which the largest over the processors counts
 struct pairPeaks
 {
     scalar pressure, penetration, relativePenetration;
@@ -305,7 +305,7 @@ bool Foam::functionObjects::contactForces::writeRow()
             const auto known = filtered_.cfind(key);
             if (contact.many())
             {
-                // Those that touch, or have since the last row
+                // Pairs that touch, or have touched since the last row
                 const bool touches = s.nStick + s.nSlip > 0;
                 scalar& last = impulses_[i](key);
                 const bool touched = s.turnover != last;

@@ -14,7 +14,7 @@ namespace
 
 using namespace Foam;
 
-//- Names of so many components, in their order
+//- Names of the components of a field with that many
 wordList componentNames(const label nComponents)
 {
     switch (nComponents)
@@ -152,7 +152,7 @@ Foam::scalar Foam::fieldComponent::value
     scalar sum = 0;
     for (label c = 0; c < n; ++c)
     {
-        // Of a symmetric tensor, what is off the diagonal is there twice
+        // A symmetric tensor stores each off-diagonal component once
         const bool twice = n == 6 && (c == 1 || c == 2 || c == 4);
         sum += (twice ? 2 : 1)*sqr(v[c]);
     }

@@ -30,8 +30,8 @@ void Foam::lowPass::advance
     const scalar a = omega_*deltaT;
     if (a <= 0) return;
 
-    // The solution that follows a straight line lags behind it; what is left
-    // of the start decays
+    // The particular solution follows the straight line with a lag. The
+    // difference from the initial state decays
     const vector slope((input - s.input)/a);
     if (nPoles_ == 1)
     {

@@ -80,8 +80,8 @@ Foam::scalarField Foam::nodeSelection::ofFaces(const labelUList& faces) const
             }
         }
 
-        // The part of a corner lies between it, the middles of its edges, and
-        // the middle of the face
+        // The share of a corner is the quadrilateral of the corner, the middles
+        // of its two edges, and the centre of the face
         const face& f = mesh.faces()[facei];
         point centre(Zero);
         for (const label p : f) centre += points[p]/f.size();

@@ -29,7 +29,7 @@ Foam::List<Foam::scalar> Foam::functionObjects::pointProbes::values
         return components;
     };
 
-    // That of the fields: momenta of the leapfrog are half a step back
+    // As the written field: the leapfrog's momenta are half a step earlier
     if (field == "pointU") return listOf(body_->velocity(node));
     if (field == "pointD")
     {
@@ -109,8 +109,8 @@ Foam::functionObjects::pointProbes::pointProbes
         }
     }
 
-    // The nearest node, of several the first by its place, on the lowest rank
-    // that has it
+    // The nearest node; if several are equally near, the first by position. The
+    // lowest rank that has it writes it
     const scalar asNear = 1 + 1e-6;
     const auto first = [](const point& a, const point& b)
     {

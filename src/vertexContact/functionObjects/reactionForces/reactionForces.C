@@ -61,7 +61,7 @@ void Foam::functionObjects::reactionForces::writeRecord(Ostream& os) const
 {
     scalarList times;
     List<constraintReactions::patchReaction> sums(collect(times));
-    // Every rank writes
+    // Every rank writes a record
     scatterRows(sums);
     os  << "    patches (";
     forAll(patches_, i)

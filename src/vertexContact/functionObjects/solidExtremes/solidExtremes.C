@@ -41,7 +41,7 @@ void Foam::functionObjects::solidExtremes::observe()
             for (const label a : selections_[i].nodes())
             {
                 const scalar value = its.value(values, a);
-                // Of this step, of equal ones the first
+                // In the same step, the first node of those of equal value
                 const auto first = [&](const label than)
                 {
                     return
@@ -136,7 +136,7 @@ void Foam::functionObjects::solidExtremes::readRecord()
     const dictionary record(solids_.records().of(name()));
     if (!Pstream::master() || !record.found("extremes")) return;
 
-    // Fields and selections may be others now
+    // The restarted run may ask for other fields or selections
     const scalarList all(record.get<scalarList>("extremes"));
     if (all.size() != extreme::width*extremes_.size()) return;
     asNumbers(extremes_, [&](scalarList& numbers) { numbers = all; });

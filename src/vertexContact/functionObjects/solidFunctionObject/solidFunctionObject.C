@@ -45,7 +45,7 @@ Foam::solidSystem& findSolids
     return runTime.lookupObjectRef<solidSystem>("solidSystem");
 }
 
-//- Rows of a run, unless the user says when
+//- Rows of a run by default
 constexpr Foam::scalar rowsOfRun = 1000;
 
 } // End anonymous namespace
@@ -159,7 +159,7 @@ Foam::functionObjects::solidFunctionObject::solidFunctionObject
 
 Foam::functionObjects::solidFunctionObject::~solidFunctionObject()
 {
-    // The bodies may be gone first
+    // The bodies may have been destroyed before
     if (runTime_.foundObject<solidSystem>("solidSystem"))
     {
         solids_.records().drop(name());
