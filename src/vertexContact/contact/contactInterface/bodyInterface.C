@@ -4,7 +4,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "bodyInterface.H"
+#include "paperBodyInterface.H"
 #include "solidBody.H"
 #include "surfaceSelection.H"
 #include "dictionaryCheck.H"
@@ -31,41 +31,10 @@ Foam::contactSide Foam::bodyInterface::readSide
 }
 
 
-void Foam::bodyInterface::resize()
+void Foam::bodyInterface::setOverlaps()
 {
-    const List<contactOverlap>& overlaps = pairing_->overlaps();
     setExchange();
-
-    if (minus_.body->variational())
-    {
-        setKernel();
-        return;
-    }
-    closed_.setSize(overlaps.size(), false);
-    problems_.setSize(overlaps.size());
-
-    if (twoWay_)
-    {
-        // Covered shares, by corner
-        scalarField minus(minus_.body->corners(minus_.patchi).size(), Zero);
-        List<scalar> plus(pairing_->nSlots(), Zero);
-        for (const contactOverlap& o : overlaps)
-        {
-            minus[o.minus.corner[0]] += o.minus.share;
-            plus[o.plus.corner[0]] += o.plus.share;
-        }
-        exchange_.toCorners(plus, scalar(0));
-        exchange_.toSlots(plus);
-
-        perMinusCovered_.setSize(overlaps.size());
-        perPlusCovered_.setSize(overlaps.size());
-        forAll(overlaps, o)
-        {
-            const contactOverlap& over = overlaps[o];
-            perMinusCovered_[o] = 1/minus[over.minus.corner[0]];
-            perPlusCovered_[o] = 1/plus[over.plus.corner[0]];
-        }
-    }
+    setKernel();
 }
 
 
@@ -153,39 +122,7 @@ void Foam::bodyInterface::setKernel()
 }
 
 
-void Foam::bodyInterface::send()
-{
-    const cornerStates& P = plus_.body->corners(plus_.patchi);
-    const labelList& corners = pairing_->plusCorners();
-    sent_.setSize(corners.size());
-    forAll(corners, i)
-    {
-        const label k = corners[i];
-        plusState& s = sent_[i];
-        static_cast<surfacePlace&>(s) = contactSurface::place(plus_, k);
-        s.v = P.v[k];
-        s.t = P.t[k];
-        s.waveFactor = P.waveFactor[k];
-    }
-    exchange_.toSlots(sent_);
-}
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
-
-Foam::bodyInterface::bodyInterface
-(
-    const word& name,
-    const dictionary& dict,
-    PtrList<solidBody>& bodies
-)
-:
-    bodyInterface
-    (
-        name, dict, readSide(dict, bodies, 0), readSide(dict, bodies, 1)
-    )
-{}
-
 
 Foam::bodyInterface::bodyInterface
 (
@@ -198,16 +135,8 @@ Foam::bodyInterface::bodyInterface
     contactInterface(name, dict),
     minus_(minus),
     plus_(plus),
-    twoWay_(contactPairing::readTwoWay(dict)),
     pairing_(contactPairing::New(dict, minus_, plus_))
 {
-    if (twoWay_ && minus_.body->variational())
-    {
-        FatalIOErrorInFunction(dict)
-            << "Keyword 'transfer': twoWay belongs to the paper's scheme, "
-            << "'preset paper' in controlDict. Valid transfers: (conservative)"
-            << exit(FatalIOError);
-    }
     const auto refuse = [&](const char* why)
     {
         FatalIOErrorInFunction(dict)
@@ -228,7 +157,51 @@ Foam::bodyInterface::bodyInterface
     {
         rememberSlide(law(), *side);
     }
-    resize();
+}
+
+
+// * * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * //
+
+Foam::autoPtr<Foam::bodyInterface> Foam::bodyInterface::New
+(
+    const word& name,
+    const dictionary& dict,
+    PtrList<solidBody>& bodies
+)
+{
+    return New
+    (
+        name, dict, readSide(dict, bodies, 0), readSide(dict, bodies, 1)
+    );
+}
+
+
+Foam::autoPtr<Foam::bodyInterface> Foam::bodyInterface::New
+(
+    const word& name,
+    const dictionary& dict,
+    const contactSide& minus,
+    const contactSide& plus
+)
+{
+    autoPtr<bodyInterface> pair;
+    if (!minus.body->variational())
+    {
+        pair.reset(new paperBodyInterface(name, dict, minus, plus));
+    }
+    else if (contactPairing::readTwoWay(dict))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Keyword 'transfer': twoWay belongs to the paper's scheme, "
+            << "'preset paper' in controlDict. Valid transfers: (conservative)"
+            << exit(FatalIOError);
+    }
+    else
+    {
+        pair.reset(new bodyInterface(name, dict, minus, plus));
+    }
+    pair->setOverlaps();
+    return pair;
 }
 
 
@@ -271,7 +244,7 @@ bool Foam::bodyInterface::update(const scalar time, const bool all)
         if (!again(time, moved, bodies)) return false;
     }
     pairing_->update(time, now[0], now[1]);
-    resize();
+    setOverlaps();
     if (!pairing_->active()) forget();
     return true;
 }
@@ -304,14 +277,14 @@ void Foam::bodyInterface::follow
 {
     pairing_->setNearest(nearest);
     pairing_->follow(time, minus, plus);
-    resize();
+    setOverlaps();
     if (!pairing_->active()) forget();
 }
 
 
 void Foam::bodyInterface::forOpposite(const visitor& visit) const
 {
-    if (!pairing_->active() || !minus_.body->variational()) return;
+    if (!pairing_->active()) return;
 
     scalar minus = 0, plus = 0;
     for (const contactOverlap& o : pairing_->overlaps())
@@ -326,129 +299,18 @@ void Foam::bodyInterface::forOpposite(const visitor& visit) const
 
 void Foam::bodyInterface::remember()
 {
-    const bool variational = minus_.body->variational();
-    const List<contactOverlap>& overlaps = pairing_->overlaps();
     const bodyContact& contact = minus_.body->contact();
     const labelList& node = minus_.geometry().cornerNode;
-    forAll(closed_, i)
-    {
-        const label corner =
-            variational ? minusCorners_[i] : overlaps[i].minus.corner[0];
-        closed_[i] = contact.touches(node[corner]);
-    }
+    forAll(closed_, i) closed_[i] = contact.touches(node[minusCorners_[i]]);
 }
 
 
 void Foam::bodyInterface::solve(const bool firstStage)
 {
-    if (!pairing_->active())
-    {
-        return;
-    }
+    if (!pairing_->active()) return;
 
-    if (minus_.body->variational())
-    {
-        bodyInterface* pair = this;
-        exchangeForces(UList<bodyInterface*>(&pair, 1), exchange_, firstStage);
-        return;
-    }
-    statistics_ = statistics();
-    send();
-
-    cornerStates& M = minus_.body->corners(minus_.patchi);
-    cornerStates& P = plus_.body->corners(plus_.patchi);
-
-    // The Riemann problem of each overlap, per current area
-    const List<contactOverlap>& overlaps = pairing_->overlaps();
-
-    forAll(problems_, o)
-    {
-        const contactOverlap& over = overlaps[o];
-        contactLaw::problem& p = problems_[o];
-
-        const plusState plus(scalarRecord::mean(over.plus, sent_));
-        const surfacePlace minus(contactSurface::place(minus_, over.minus));
-        const overlapState at(over, minus, plus);
-
-        p.minus = M.sideOf
-        (
-            over.minus(M.v), over.minus(M.t), over.minus(M.waveFactor),
-            minus.stretch
-        );
-        p.plus = P.sideOf(plus.v, -plus.t, plus.waveFactor, plus.stretch);
-        p.area = at.area;
-        p.n = at.n;
-        p.gap = at.gap;
-        setTouching(p, at.opposed, closed_[o], over.depth);
-        lose
-        (
-            closed_[o] && at.opposed, minus_, over.minus.corner[0], p.gap,
-            lostDepth*over.depth, over.depth
-        );
-    }
-
-    solveProblems();
-
-    // Forces and velocities to both sides
-    answers_.setSize(pairing_->nSlots());
-    answers_ = fluxAnswer();
-
-    forAll(problems_, o)
-    {
-        const contactOverlap& over = overlaps[o];
-        const contactLaw::problem& p = problems_[o];
-
-        scalar minusForce = p.area, plusForce = p.area;
-        scalar minusArea = over.minus.area, plusArea = over.plus.area;
-        if (twoWay_)
-        {
-            minusArea *= perMinusCovered_[o];
-            plusArea *= perPlusCovered_[o];
-            minusForce = minusArea*over.minus(M.stretch);
-            plusForce =
-                plusArea*scalarRecord::mean(over.plus, sent_).stretch;
-        }
-
-        count(p, over.width, over.depth, minusForce, plusForce);
-        statistics_.frictionPower += minusForce*slipPower(p);
-
-        const contactLaw::problem q(fromPlus(p));
-        const contactAnswer toMinus(answer(p, minusForce));
-        const contactAnswer toPlus(answer(q, plusForce));
-
-        setState(minus_, over.minus.corner[0], toMinus, firstStage);
-        contactAnswer& own = answers_[over.plus.corner[0]];
-        own += toPlus;
-
-        if (p.result.state == acousticRiemann::status::open) continue;
-
-        const vector minusChange(minusArea*velocityChange(p));
-        const vector plusChange(plusArea*velocityChange(q));
-        for (label j = 0; j < over.minus.size; ++j)
-        {
-            const scalar share = over.minus.flux[j];
-            addFlux
-            (
-                M, over.minus.corner[j], share*toMinus.force, share*minusChange
-            );
-        }
-        for (label j = 0; j < over.plus.size; ++j)
-        {
-            const scalar share = over.plus.flux[j];
-            fluxAnswer& f = answers_[over.plus.corner[j]];
-            f.tractionFlux += share*toPlus.force;
-            f.velocityFlux += share*plusChange;
-        }
-    }
-
-    exchange_.toCorners(answers_, fluxAnswer());
-    const labelList& corners = pairing_->plusCorners();
-    forAll(corners, c)
-    {
-        const fluxAnswer& told = answers_[c];
-        setState(plus_, corners[c], told, firstStage);
-        addFlux(P, corners[c], told.tractionFlux, told.velocityFlux);
-    }
+    bodyInterface* pair = this;
+    exchangeForces(UList<bodyInterface*>(&pair, 1), exchange_, firstStage);
 }
 
 
@@ -456,9 +318,8 @@ void Foam::bodyInterface::report(Ostream& os) const
 {
     os  << "Interface " << name() << ": " << minus_.body->name() << ' '
         << minus_.patchName << " - " << plus_.body->name() << ' '
-        << plus_.patchName << ", pairing " << pairing_->type()
-        << (twoWay_ ? ", transfer twoWay" : "") << ", law " << law_->type()
-        << nl;
+        << plus_.patchName << ", pairing " << pairing_->type() << transfer()
+        << ", law " << law_->type() << nl;
 }
 
 

@@ -439,7 +439,7 @@ void Foam::bodyInterface::findForces
 void Foam::bodyInterface::find(const scalar)
 {
     forget();
-    if (!pairing_->active() || !minus_.body->variational()) return;
+    if (!pairing_->active()) return;
 
     bodyInterface* pair = this;
     const UList<bodyInterface*> alone(&pair, 1);

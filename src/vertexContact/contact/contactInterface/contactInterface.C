@@ -4,7 +4,6 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "bodyInterface.H"
 #include "generalInterface.H"
 #include "obstacleInterface.H"
 #include "solidBody.H"
@@ -139,20 +138,6 @@ Foam::scalar Foam::contactInterface::shareOf(const push& all)
 }
 
 
-Foam::contactLaw::problem Foam::contactInterface::fromPlus
-(
-    const contactLaw::problem& p
-)
-{
-    contactLaw::problem seen(p);
-    seen.minus = p.plus;
-    seen.minus.t = -p.plus.t;
-    seen.result.vMinus = p.result.vPlus;
-    seen.result.t = -p.result.t;
-    return seen;
-}
-
-
 Foam::contactAnswer Foam::contactInterface::answer
 (
     const contactLaw::problem& p,
@@ -168,39 +153,6 @@ Foam::contactAnswer Foam::contactInterface::answer
         a.status = int(p.result.state);
     }
     return a;
-}
-
-
-Foam::vector Foam::contactInterface::velocityChange
-(
-    const contactLaw::problem& p
-)
-{
-    // A sliding surface keeps the tangential velocity of its nodes
-    vector change(p.result.vMinus - p.minus.v);
-    if (p.result.state == acousticRiemann::status::slip)
-    {
-        change = (change & p.n)*p.n;
-    }
-    const scalar open = acousticRiemann::releaseVelocity
-    (
-        p.minus.zp, p.minus.t & p.n, scalar(0)
-    );
-    return change - open*p.n;
-}
-
-
-void Foam::contactInterface::setTouching
-(
-    contactLaw::problem& p,
-    const bool opposed,
-    const bool closed,
-    const scalar depth
-) const
-{
-    p.touching =
-        law_->bonded()
-     || (opposed && p.gap <= (closed ? openingGap : closingGap)*depth);
 }
 
 
@@ -278,20 +230,6 @@ void Foam::contactInterface::count
 }
 
 
-void Foam::contactInterface::addFlux
-(
-    cornerStates& c,
-    const label corner,
-    const vector& tractionFlux,
-    const vector& velocityFlux
-)
-{
-    const scalar perArea = 1/c.geometry.cornerArea[corner];
-    c.tB[corner] += perArea*tractionFlux;
-    c.vB[corner] += perArea*velocityFlux;
-}
-
-
 void Foam::contactInterface::setState
 (
     const contactSide& side,
@@ -360,7 +298,7 @@ void Foam::contactInterface::append
                 which.literal() ? name
               : word(name + '.' + surfaceSelection::name(side))
             );
-            interfaces.append(new obstacleInterface(its, dict, side));
+            interfaces.append(obstacleInterface::New(its, dict, side).ptr());
         }
     }
     else if (generalInterface::describedBy(dict))
@@ -371,7 +309,7 @@ void Foam::contactInterface::append
     }
     else
     {
-        interfaces.append(new bodyInterface(name, dict, bodies));
+        interfaces.append(bodyInterface::New(name, dict, bodies).ptr());
     }
     for (label i = first; i < interfaces.size(); ++i)
     {

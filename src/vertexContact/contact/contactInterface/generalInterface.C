@@ -386,11 +386,11 @@ bool Foam::generalInterface::update(const scalar time, const bool all)
             parts.set
             (
                 i,
-                new bodyInterface
+                bodyInterface::New
                 (
                     partName(keys[i]), ruleOf(keys[i]),
                     surfaces_[pair.first()], surfaces_[pair.second()]
-                )
+                ).ptr()
             );
             if (past_.found(keys[i])) parts[i].setSums(past_[keys[i]]);
         }

@@ -4,7 +4,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "obstacleInterface.H"
+#include "paperObstacleInterface.H"
 #include "contactSurface.H"
 #include "solidBody.H"
 #include "dictionaryCheck.H"
@@ -243,20 +243,6 @@ void Foam::obstacleInterface::findForces()
 }
 
 
-void Foam::obstacleInterface::solveForces(const bool firstStage)
-{
-    const scalarField& depth = side_.body->surface(side_.patchi).depth;
-    solveProblems();
-    forAll(planes_, i)
-    {
-        const label k = planes_[i].corner;
-        const contactLaw::problem& p = problems_[i];
-        count(p, width_[k], depth[k], p.area, p.area);
-    }
-    correct(firstStage);
-}
-
-
 void Foam::obstacleInterface::setObstacle
 (
     const label i,
@@ -316,10 +302,10 @@ Foam::obstacleInterface::obstacleInterface
 :
     contactInterface(name, dict),
     side_(side),
+    width_(side_.body->corners(side_.patchi).size(), Zero),
     surface_(readSurface(name, dict, side_.body->mesh().time())),
     motion_(dict, side_.body->mesh()),
     leastWidth_(GREAT),
-    width_(side_.body->corners(side_.patchi).size(), Zero),
     sideMotion_(side_),
     cut_(false),
     oldPose_(septernion::I)
@@ -360,6 +346,24 @@ Foam::obstacleInterface::obstacleInterface
         );
     }
     update(side_.body->mesh().time().value(), true);
+}
+
+
+// * * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * //
+
+Foam::autoPtr<Foam::obstacleInterface> Foam::obstacleInterface::New
+(
+    const word& name,
+    const dictionary& dict,
+    const contactSide& side
+)
+{
+    return autoPtr<obstacleInterface>
+    (
+        side.body->variational()
+      ? new obstacleInterface(name, dict, side)
+      : new paperObstacleInterface(name, dict, side)
+    );
 }
 
 
@@ -519,7 +523,7 @@ void Foam::obstacleInterface::find(const scalar time)
     motion_.setTime(time);
     forceTime_ = time;
     followEdges();
-    if (side_.body->variational()) findForces();
+    findForces();
 }
 
 
@@ -546,49 +550,15 @@ void Foam::obstacleInterface::solve(const bool firstStage)
 {
     if (planes_.empty()) return;
 
-    if (side_.body->variational())
-    {
-        solveForces(firstStage);
-        return;
-    }
-    cornerStates& M = side_.body->corners(side_.patchi);
     const scalarField& depth = side_.body->surface(side_.patchi).depth;
-
-    forAll(planes_, i)
-    {
-        const label k = planes_[i].corner;
-        contactLaw::problem& p = problems_[i];
-
-        p.minus = M.sideOf(M.v[k], M.t[k], M.waveFactor[k], M.stretch[k]);
-        p.area = M.geometry.cornerArea[k]*M.stretch[k];
-        setObstacle(i, p);
-
-        // As against a mirror image, which has half of the gap
-        setTouching
-        (
-            p, contactOverlaps::face(M.n[k], p.n), closed_[i], 0.5*depth[k]
-        );
-        lose(closed_[i], side_, k, p.gap, depth[k], depth[k]);
-    }
-
     solveProblems();
-
     forAll(planes_, i)
     {
         const label k = planes_[i].corner;
         const contactLaw::problem& p = problems_[i];
         count(p, width_[k], depth[k], p.area, p.area);
-        statistics_.frictionPower += p.area*slipPower(p);
-        const contactAnswer told(answer(p, p.area));
-        setState(side_, k, told, firstStage);
-        if (p.result.state != acousticRiemann::status::open)
-        {
-            addFlux
-            (
-                M, k, told.force, M.geometry.cornerArea[k]*velocityChange(p)
-            );
-        }
     }
+    correct(firstStage);
 }
 
 
