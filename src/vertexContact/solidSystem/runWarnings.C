@@ -100,7 +100,8 @@ void Foam::runWarnings::reportGain() const
     // The first rise ignores the work of moving obstacles. The second counts
     // energy that contact stores and returns as a rise. Take the smaller one
     const scalar rise = min(rise_[0], rise_[1]);
-    if (!warnedOfGain_ && rise > gains*largest_ + roundOff_)
+    const scalar least = gains*largest_ + roundOff_;
+    if (!warnedOfGain_ && rise > least && rise >= given_)
     {
         WarningInFunction
             << "The energy has risen by " << 100*rise/largest_
@@ -110,7 +111,7 @@ void Foam::runWarnings::reportGain() const
             << "'maxEnergyRise' in controlDict ends a run where it happens."
             << endl;
     }
-    else if (given_ > gains*largest_ + roundOff_)
+    else if (given_ > least)
     {
         WarningInFunction
             << "Contact has given the bodies " << 100*given_/largest_
