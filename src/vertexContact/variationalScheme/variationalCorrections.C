@@ -14,7 +14,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "variationalKernelTemplate.H"
-#include "edgeBlocks.H"
+#include "variationalBlocks.H"
 #include "edgeRows.H"
 #include "variationalEdge.H"
 
@@ -88,6 +88,7 @@ class variationalKernelTemplate<D, finite>::correctionSums
 
         scalar* correction_;
         scalar* sensor_;
+        scalar* rates_;
 
         index node_ = -1;
         alignas(registerBytes) row<wC> columns_[nC] = {};
@@ -178,7 +179,7 @@ class variationalKernelTemplate<D, finite>::correctionSums
 
 public:
 
-    correctionSums(const vertexData& d, variationalData& x)
+    correctionSums(vertexData& d, variationalData& x)
     :
         U_(x.U.cdata()),
         grad_(x.grad.cdata()),
@@ -192,7 +193,8 @@ public:
           : nullptr
         ),
         correction_(x.adjoint.data()),
-        sensor_(x.sensor.data())
+        sensor_(x.sensor.data()),
+        rates_(d.rates.data())
     {}
 
 
@@ -202,6 +204,16 @@ public:
     {
         zeroAt<sT>(correction_ + a*sT);
         zeroAt<sS>(sensor_ + a*sS);
+        if constexpr (D == 1) zeroAt<sR>(rates_ + a*sR);
+    }
+
+    //- Prepare a node that edges reach for the first time
+    __attribute__((always_inline))
+    inline void ahead(const index a) const
+    {
+        prefetch<sU>(U_ + a*sU);
+        prefetch<sA*D>(grad_ + a*D*sA);
+        begin(a);
     }
 
     //- The node whose sums are in registers
@@ -502,52 +514,14 @@ label variationalKernelTemplate<D, finite>::correctLoop
 {
     if (pass.edge == 0) x.closing = x.fastest = 0;
     correctionSums<corrects> sums(d, x);
-
-    completeNodes complete(x.lateNodes, pass);
     const label firstLate = pass.late;
-    const index places = x.motionPlaces;
     label nBad = 0;
-    // Not inlined: it would take registers from the loops
-    const auto completeBefore = [&](const label end) __attribute__((noinline))
+    overBlocks(d, x, pass, sums, [&](const index a)
     {
-        complete.before(end, [&](const index a)
-        {
-            if constexpr (D > 1) takeForce(d, x, a);
-            nBad += !moveNode(d, x, a);
-            takeJumps(x, a);
-        });
-    };
-
-    edgeBlocks block(d.dual, x.toMeet, pass);
-    const auto begin = [&](const index a)
-    {
-        sums.begin(a);
-        if constexpr (D == 1) zeroAt<sR>(d.rates.data() + a*sR);
-    };
-    for (; block.valid(); ++block)
-    {
-        // All edges before this block are done. So are the nodes before its
-        // first one or, in 2D and 3D, before that of the last edge
-        if constexpr (D == 1) completeBefore(block.nodes()[0]);
-        else if (block.completes()) completeBefore(sums.node());
-        block.ahead([&](const index a)
-        {
-            prefetch<sU>(x.U.cdata() + a*sU);
-            prefetch<sA*D>(x.grad.cdata() + a*D*sA);
-            begin(a);
-        });
-        const label* ends = block.nodes();
-        const int n = block.size();
-        const index e = block.first();
-        const scalar* C = x.area.cdata() + e*D;
-        const scalar* r = x.reach.cdata() + e*D;
-        scalar* motion = x.motion.data() + (e & places)*nM;
-        if constexpr (D == 1) sums.block1(ends, n, C, r, motion);
-        else if constexpr (D == 2) sums.block2(ends, n, C, r, motion);
-        else sums.block3(ends, n, C, r, motion);
-    }
-    sums.keep();
-    completeBefore(block.leave(pass, begin));
+        if constexpr (D > 1) takeForce(d, x, a);
+        nBad += !moveNode(d, x, a);
+        takeJumps(x, a);
+    });
     for (label late = firstLate; D > 1 && late < pass.late; ++late)
     {
         // Before the sums over processors, which include the rates

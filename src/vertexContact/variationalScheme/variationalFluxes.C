@@ -11,7 +11,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "variationalKernelTemplate.H"
-#include "edgeBlocks.H"
+#include "variationalBlocks.H"
 #include "edgeRows.H"
 #include "variationalEdge.H"
 
@@ -452,34 +452,10 @@ void variationalKernelTemplate<D, finite>::fluxLoop
 )
 {
     fluxSums<corrects> sums(d, x);
-    completeNodes complete(x.lateNodes, pass);
-    const auto completeBefore = [&](const label end) __attribute__((noinline))
+    overBlocks(d, x, pass, sums, [&](const index a)
     {
-        complete.before(end, [&](const index a) { stressNode(x, d, a); });
-    };
-
-    const index places = x.motionPlaces;
-    edgeBlocks block(d.dual, x.toMeet, pass);
-    for (; block.valid(); ++block)
-    {
-        if constexpr (D == 1) completeBefore(block.nodes()[0]);
-        else if (block.completes()) completeBefore(sums.node());
-        block.ahead([&](const index a) { sums.ahead(a); });
-        const label* ends = block.nodes();
-        const int n = block.size();
-        const index e = block.first();
-        const scalar* C = x.area.cdata() + e*D;
-        const scalar* r = x.reach.cdata() + e*D;
-        const scalar* motion = x.motion.cdata() + (e & places)*nM;
-        if constexpr (D == 1) sums.block1(ends, n, C, r, motion);
-        else if constexpr (D == 2) sums.block2(ends, n, C, r, motion);
-        else sums.block3(ends, n, C, r, motion);
-    }
-    sums.keep();
-    completeBefore
-    (
-        block.leave(pass, [&](const index a) { sums.begin(a); })
-    );
+        stressNode(x, d, a);
+    });
 }
 
 
