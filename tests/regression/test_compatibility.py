@@ -62,7 +62,7 @@ def test_failures_show():
 
 @pytest.mark.parametrize("arguments, reason", (
     ((), "which OpenFOAM?"), (("/nowhere",), "no src/OpenFOAM"),
-    (("-jobs", "none"), "-jobs wants a number"),
+    (("-jobs", "none"), "-jobs needs a number"),
     ((os.environ.get("WM_PROJECT_DIR", "."), "src/none.C"),
      "'src/none.C' is in no Make/files")))
 def test_wrong_arguments(arguments, reason):
@@ -77,10 +77,10 @@ def test_wrong_arguments(arguments, reason):
     ((), "which release?"),
     (("v1906",), "v1906 is older than v1912"),
     (("/nowhere",), "neither a release such as v2506 nor a folder"),
-    (("-jobs", "none", "v2506"), "-jobs wants a number"),
+    (("-jobs", "none", "v2506"), "-jobs needs a number"),
     (("v2306", "v2506"), "one release at a time"),
     (("-fast", "v2506"), "unknown argument '-fast'"),
-    (("-from",), "-from wants an address or a folder"),
+    (("-from",), "-from needs an address or a folder"),
     (("-from", "/nowhere", os.environ.get("WM_PROJECT_DIR", ".")),
      "-from is for a release")))
 def test_wrong_arguments_of_run(arguments, reason):
@@ -95,9 +95,9 @@ def test_wrong_arguments_of_run(arguments, reason):
     ((), "which distribution?"),
     (("debian:11",), "none of debian:12, debian:13, ubuntu:22.04"),
     (("debian:12", "debian:13"), "one distribution at a time"),
-    (("-jobs", "0", "debian:13"), "-jobs wants a number"),
-    (("-mirror",), "-mirror wants an address"),
-    (("-compiler", "icpx", "debian:13"), "-compiler wants a name such as"),
+    (("-jobs", "0", "debian:13"), "-jobs needs a number"),
+    (("-mirror",), "-mirror needs an address"),
+    (("-compiler", "icpx", "debian:13"), "-compiler needs a name such as"),
     (("-fast", "debian:13"), "unknown argument '-fast'")))
 def test_wrong_arguments_of_root(arguments, reason):
     code, output = compatibility("-root", *arguments)
