@@ -207,8 +207,8 @@ def test_dry_run(tmp_path, figures, ranks):
         command = ["mpirun", "-np", str(ranks), *command, "-parallel"]
     log = checked(command, c.path)
     with figures(f"General contact, -dry-run, {ranks} ranks") as f:
-        f.equal("says what may meet", "Interface all: 8 surfaces, of whose "
-                "pairs 36 may meet and 36 are near" in log, True)
+        f.equal("says what may meet", "Interface all: 8 surfaces, "
+                "36 pairs may touch and 36 are near" in log, True)
         f.equal("says the steps it would take", "\nSteps: " in log, True)
         f.equal("writes results", (c.path/"postProcessing").exists(), False)
 
@@ -254,7 +254,7 @@ def test_check_contact(tmp_path):
     assert "8 surfaces" in log and "Contact OK" in log
     assert "Interface all.square00.right-square10.left" in log
     assert log.count("Interface all.") == 4
-    assert "Nothing is opposite anything in 32 more pairs" in log
+    assert "32 more pairs of surfaces are near" in log
     assert len(list(c.path.glob("postProcessing/checkContact/0/*.vtk"))) == 4
 
 
@@ -271,9 +271,9 @@ WRONG = {
     "three sets": ({"sides": '((square00 ".*") (square10 ".*") '
                              '(square11 ".*"))'},
                    ("sides", "needs two sets")),
-    "tied": ({"law": {"type": "tied"}}, ("tied", "of its own")),
+    "tied": ({"law": {"type": "tied"}}, ("tied", "of their own")),
     "excluded": ({"exclude": '((square00 ".*") (".*" ".*"))'},
-                 ("nothing is left", "square00.right", *EVERY)),
+                 ("no surface is left", "square00.right", *EVERY)),
     "exclude, region": ({"exclude": '((square22 right) (".*" ".*"))'},
                         ("exclude", "no region 'square22'", "square11")),
     "exclude, nothing": ({"exclude": '(("disc.*" ".*") (".*" ".*"))'},
