@@ -149,7 +149,7 @@ def test_no_material(tmp_path):
     share(case)
     case.dictionary("constant/solidProperties", {"b1": RUBBER, "b2": RUBBER})
     message = refused(case)
-    for part in ("solidProperties", "No entry fits region 'b3'", "(b1 b2)",
+    for part in ("solidProperties", "No entry is for region 'b3'", "(b1 b2)",
                  "constant/b3/mechanicalProperties"):
         assert part in message, part
 
@@ -160,7 +160,7 @@ def test_entry_without_region(tmp_path):
     case.dictionary("constant/solidProperties",
                     {'"b.*"': RUBBER, "disc": RUBBER})
     message = refused(case)
-    assert "Keyword 'disc' fits no region" in message
+    assert "Keyword 'disc' matches no region" in message
     assert "(b1 b2 b3)" in message
 
 

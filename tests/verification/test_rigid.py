@@ -707,7 +707,7 @@ def test_warning_of_the_start_velocity(tmp_path, figures):
             control={**FIXED, "deltaT": 0.01}, preset=DEFAULT)
         for end in 0.1, 0.2:
             case.set("system/controlDict", {"endTime": end})
-            said.append("not one that" in case.attempt()[1])
+            said.append("this rigid body cannot move" in case.attempt()[1])
     with figures("warnings of the velocity at the start") as f:
         f.equal("turns, restarted, shears, restarted", said,
                 [False, False, True, False])
@@ -723,7 +723,7 @@ def test_warning_of_a_start_against_the_motion(tmp_path, U, warned):
         control={**FIXED, "deltaT": 0.01}, preset=DEFAULT)
     code, log = case.attempt()
     assert code == 0, log
-    assert ("not one that" in log) == warned, log
+    assert ("this rigid body cannot move" in log) == warned, log
 
 
 def moved(name, beside=None, **coeffs):
@@ -746,7 +746,7 @@ BAD = {
         "solidBodyMotionFunction": "rotatingMotion", **TURN, "axsi": 1}},
         "'axsi'. Did you mean 'axis'"),
     "no pose": (moved("drivenLinearMotion", CofGvelocity="U"),
-                "nowhere at a time that is given"),
+                "no position at a given time"),
     "no motion": (moved("multiMotion"), "multiMotion"),
     "no dictionary": (moved("multiMotion", a=1), "'a' of multiMotion"),
     "part": (moved("multiMotion", a={
