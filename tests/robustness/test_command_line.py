@@ -80,7 +80,7 @@ def test_dry_run_reports(case):
     assert number(r"\nStep: (\S+) s at the start", case.output) > 0
     assert number(r"\nTrial: (\d+) steps", case.output) > 0
     assert number(r"\nRun time: about (\S+) s", case.output) > 0
-    assert "without the time to write 4 times, " in case.output
+    assert "not included: the time to write 4 times, " in case.output
 
 
 @pytest.mark.parametrize("control", [
@@ -358,4 +358,4 @@ def test_profile(preset, ranks, tmp_path):
     assert abs(sum(share for _, share in passes.values()) - 100) < 1.5, passes
     us = number(r"\nSteps: .* s, (\S+) us", output)
     assert abs(sum(us for us, _ in passes.values()) - us) < 0.02*us
-    assert 0 < number(r"on a core, (\S+) of what", output) < 2
+    assert 0 < number(r"on a core, (\S+) of the", output) < 2

@@ -313,7 +313,7 @@ def test_signals(straight, tmp_path, figures, which, ends, ranks):
     case = copied(whole, tmp_path/"case")
     case.set("system/controlDict", {"writeInterval": 0.1, "endTime": 4,
                                     "logInterval": 1})
-    asked = "Asked by a signal to write"
+    asked = "A signal asks the run to write"
     with Running(case, ranks) as run:
         run.reach(0)
         process = run.process.pid

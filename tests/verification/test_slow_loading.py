@@ -55,7 +55,7 @@ def test_target_step(tmp_path, figures, cells, nu):
         case = make(tmp_path/name, body, 10, **control)
         output = checked(["vertexContactFoam", "-dry-run"], case.path)
         factor = re.search(r"as if it had (\S+) times", output)
-        return (float(re.search(r"stable are (\S+) s", output)[1]),
+        return (float(re.search(r"stable step is (\S+) s", output)[1]),
                 factor and float(factor[1]))
 
     own, _ = stable("own")
