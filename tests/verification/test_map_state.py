@@ -285,10 +285,10 @@ def test_bad_input(tmp_path):
     assert "(other)" in message and "(body)" in message
     ran = make(tmp_path/"ran", body, 0.05).run()
     before = ran.field("0.05", "body", "pointU")
-    assert "this case has run to here" in bad(ran, str(source.path))
+    assert "this case has run to this time" in bad(ran, str(source.path))
     (ran/"0.05"/"uniform"/"solidSystem").unlink()
     message = bad(ran, str(source.path))
-    assert "this case has run to here" in message and "body/lm" in message
+    assert "this case has run to this time" in message and "body/lm" in message
     assert np.array_equal(before, ran.field("0.05", "body", "pointU"))
 
     stale = make(tmp_path/"stale", body)
@@ -296,7 +296,7 @@ def test_bad_input(tmp_path):
 dimensions [0 0 0 0 0 0 0]; internalField uniform (1.1 0 0 0 1 0 0 0 1);
 boundaryField { ".*" { type calculated; } "front|back" { type empty; } }""")
     message = bad(stale, str(source.path))
-    assert "body/F0" in message and "the other case has none" in message
+    assert "body/F0" in message and "the other case has no such" in message
 
     # What is wrong with one region is found before another one is written
     def pair(**first):
@@ -322,7 +322,7 @@ boundaryField { ".*" { type calculated; } "front|back" { type empty; } }""")
     assert "later time 0.05" in message and "reconstructPar" in message
 
     (source/"0"/"body"/"pointU").unlink()
-    assert "no pointU" in bad(
+    assert "no field pointU" in bad(
         make(tmp_path/"same", body), str(source.path), "-sourceTime", "0")
     for each, region in (case, "body"), (other, "other"):
         assert not (each/"0"/region/"pointD").exists()
