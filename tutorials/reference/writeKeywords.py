@@ -43,7 +43,7 @@ def run(*arguments):
 
 
 def printed(option):
-    """What the option prints after OpenFOAM's banner, without the names of
+    """The output of the option after OpenFOAM's banner, without the names of
     OpenFOAM's own models."""
     text = re.split(r"(?m)^// (?:\* )+//$", run(f"-list{option}"), 1)[1]
     text = re.sub(r"(?m)(^'.*OpenFOAM\))\n +\(.*\)$", r"\1", text)
