@@ -159,5 +159,5 @@ def test_command(tmp_path):
 
 def test_no_case(tmp_path):
     done = caseTools.execute(RENDER, tmp_path)
-    assert done.returncode != 0 and "is no case" in done.stdout
+    assert done.returncode != 0 and "is not a case" in done.stdout
     assert "Traceback" not in done.stdout

@@ -52,7 +52,7 @@ def finished(case):
 def evaluations(case):
     """The number of node evaluations, and the number with one step."""
     found = re.search(r"so far (\S+) evaluations of nodes, \S+ of the (\S+) "
-                      "with", case.output)
+                      "that", case.output)
     return float(found[1]), float(found[2])
 
 
