@@ -365,7 +365,7 @@ BAD = {
     "turned inside out": ({}, {}, np.diag((-1, 1, 1)),
                           ("F0", "internalField", "positive")),
     "out of the plane": ({}, {}, SHEARED,
-                         ("F0", "internalField", "left out")),
+                         ("F0", "internalField", "leaves out")),
     "one direction": ({}, {"cells": (3,)}, np.diag((1, 1, 1.1)),
                       ("F0", "internalField", "same stretch"))}
 
