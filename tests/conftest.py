@@ -1,5 +1,5 @@
-"""Fixtures of all tests: simulations run once, and measured figures that are
-printed at the end, whether the test passes or not."""
+"""Fixtures of all tests. Simulations run once; measured figures are printed at
+the end, whether the test passes or not."""
 
 import functools
 import os
@@ -11,11 +11,11 @@ from vertexContactTests import caseTools, slowTests
 
 
 class Figures:
-    """Measured figures of an acceptance item, each with its limit. All are
-    recorded before the first that is out of bounds fails the test."""
+    """Measured figures of a test, each with its limit. All are recorded before
+    the first one that is out of bounds fails the test."""
 
     def __init__(self, properties, item):
-        self.properties = properties    # of the test, that its report has
+        self.properties = properties    # of the test, for its report
         self.item = item
         self.bad = []
 
@@ -72,7 +72,7 @@ def pytest_terminal_summary(terminalreporter):
             cell.ljust(width) for cell, width in zip(row, widths)).rstrip())
 
 
-@pytest.hookimpl(tryfirst=True)     # before -m chooses
+@pytest.hookimpl(tryfirst=True)     # before -m selects tests
 def pytest_collection_modifyitems(items):
     slow = slowTests.names()
     for item in items:
@@ -82,25 +82,25 @@ def pytest_collection_modifyitems(items):
 
 
 def workers():
-    """Processes that share the tests (pytest -n), 1 without."""
+    """Number of processes that share the tests (pytest -n); 1 without -n."""
     return int(os.environ.get("PYTEST_XDIST_WORKER_COUNT", 1))
 
 
 def pytest_sessionstart(session):
     if hasattr(session.config, "workerinput"):
-        return      # the process that starts the workers did
+        return      # set by the process that starts the workers
     for program in "vertexContactFoam", "blockMesh", "decomposePar":
         if shutil.which(program) is None:
             pytest.exit(f"no {program} on PATH: run etc/setup, source "
                         "etc/bashrc and run Allwmake first", returncode=2)
-    # Once for all, not by several Allruns at the same time
+    # Compile once for all, so that not several Allruns do it at the same time
     caseTools.checked([str(caseTools.root/"Allwmake"), "-j", "-s"],
                       caseTools.root)
 
 
 @pytest.fixture(scope="session")
 def runs(tmp_path_factory):
-    """Scenes are run once, by one of all workers."""
+    """Scenes that run once; all workers share them."""
     folder = tmp_path_factory.getbasetemp()
     if workers() > 1:
         folder = folder.parent
@@ -112,14 +112,14 @@ def runs(tmp_path_factory):
 
 @pytest.fixture(scope="session")
 def run(runs):
-    """run(scene): the finished case of a caseTools.Scene."""
+    """run(scene) returns the finished case of a caseTools.Scene."""
     return runs.result
 
 
 @pytest.fixture(scope="module", autouse=True)
 def scenes(request):
-    """Starts what the tests of a module announce in their mark 'scenes', on
-    all cores."""
+    """Starts the scenes that the tests of a module list in their mark
+    'scenes', on all cores."""
     wanted = [scene for item in request.session.items
               if item.path == request.path
               for mark in item.iter_markers("scenes") for scene in mark.args]

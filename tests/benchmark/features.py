@@ -64,7 +64,7 @@ def block(folder, cells, material=None, control=None, functions=None,
 
 
 def history(name, **more):
-    """A function object with a row each step."""
+    """A function object that writes a row at each step."""
     return {"functions": {name: {
         "type": name, "libs": "(vertexContact)", "writeControl": "timeStep",
         "writeInterval": 1, **more}}}
@@ -95,8 +95,8 @@ def pair(folder, gap, pairing="nearestFace", law="frictionless", speed=0.02,
 
 
 def ratio(folder, own):
-    """Two blocks in contact, speeds of waves 1:20, a tenth of the nodes stiff;
-    common steps of 0.8 of what the soft one can."""
+    """Two blocks in contact whose wave speeds are 1:20; a tenth of the nodes
+    is stiff. The common step is 0.8 of the stable step of the soft block."""
     def body(name, start, height, n, material, side, velocity):
         return Body(cells=(20, 20, n), name=name, start=start,
                     size=(1, 1, height), material=material,
@@ -115,7 +115,8 @@ def ratio(folder, own):
     return case
 
 
-# Group, what, the function that makes the case, and its arguments off and on
+# Group, feature, the function that makes the case, and its arguments with the
+# feature on and off
 CELLS = {"cells": (24,)*3}
 MIRRORS = {side: {"type": "symmetryPlane"}
            for side in ("bottom", "top", "back", "front")}
@@ -225,13 +226,14 @@ PAIRS = (
 
 
 class Measured:
-    """A case that runs again and again: time of the steps, memory."""
+    """A case that runs again and again, with the time of its steps and its
+    memory."""
 
     def __init__(self, case):
         self.case = case
         deltaT = float(re.search(r"deltaT\s+(\S+);", (
             case/"system/controlDict").read_text())[1])
-        # Cases that are compared go on for the same time
+        # Compared cases run for the same time
         steps = STEPS*getattr(case, "stepsOfTime", 1)
         case.set("system/controlDict", {"endTime": (steps + 0.5)*deltaT})
         self.seconds = []
@@ -249,7 +251,7 @@ class Measured:
                 re.findall(r"^    (\d+) bytes per node", log, re.M)))
 
 
-# Scenes that use none of what came later, by the commit that -before names
+# Scenes without the features that came after the commit that -before names
 PLAIN = (
     ("one block, neo-Hookean", block, CELLS),
     ("one block, small strains", block, {**CELLS, "material": SMALL}),

@@ -24,7 +24,7 @@ here = Path(__file__).resolve().parent
 root = here.parents[1]
 
 MATERIAL = {"type": "neoHookean", "rho": 1000, "E": 1e6, "nu": 0.3}
-SQUARES = (4, 10, 32)       # on a side of the grid
+SQUARES = (4, 10, 32)       # number of squares on a side of the grid
 ALL = {"all": {"surfaces": "all"}}
 
 
@@ -39,7 +39,7 @@ def squares(n, contact):
 
 
 def plates(cells, contact):
-    """Two plates, of which a tenth of one face meets the other."""
+    """Two plates; a tenth of one face touches the other plate."""
     def body(name, start, velocity):
         sides = {s: "contact" for s in (
             "left", "right", "bottom", "top", "back", "front")}
@@ -71,7 +71,7 @@ def measured(bodies, contact, end, folder):
     steps, seconds = re.search(r"Steps: (\d+) in (\S+) s", log).groups()
     share = re.search(r"Contact: (\S+) % of the time of the steps in (\d+) "
                       r"pairings, (\S+) % in", log)
-    near = re.search(r"may meet and (\d+) are near", log)
+    near = re.search(r"may touch and (\d+) are near", log)
     return {"ms": 1e3*float(seconds)/int(steps), "steps": int(steps),
             "start": whole - float(seconds),
             "share": [float(share[1]), int(share[2]), float(share[3])]
@@ -102,11 +102,12 @@ def main():
                             text=True).stdout.strip() or "no repository"
     (here/"generalContact.md").write_text(f"""# What general contact costs
 
-Written by `tests/benchmark/generalContact.py`: `surfaces all`, one core, `balanced`. *Near* are the pairs of surfaces that are looked at in a step; *search* is the
-share of finding pairs and pairings in the time of the steps, *forces* that of contact in each step; *start* is all but the steps. The same bodies without contact are beside it.
+Written by `tests/benchmark/generalContact.py`: `surfaces all`, one core, `balanced`. *Near* is the number of pairs of surfaces that a step looks at. *Search*
+is the share of the time of the steps that finding pairs and pairings takes. *Forces* is the share of contact in each step. *Start* is the time without the
+steps. Each value stands beside that of the same bodies without contact.
 Built from {commit}.
 
-| | faces | near at first | free [ms a step] | contact [ms a step] | search | steps a pairing | forces | start, free [s] | start, contact [s] | free [MB] | contact [MB] |
+| | faces | near at first | free [ms per step] | contact [ms per step] | search | steps per pairing | forces | start, free [s] | start, contact [s] | free [MB] | contact [MB] |
 |---|---|---|---|---|---|---|---|---|---|---|---|
 """ + "\n".join(lines) + "\n")
 

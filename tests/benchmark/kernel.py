@@ -38,13 +38,13 @@ VARIANTS = [BASE] + [{**BASE, **change} for change in (
     {"material": "linearElastic", "correction": "0"},
     {"material": "MooneyRivlin"}, {"material": "HenckyVonMises"},
     {"preset": "paper"})]
-BLOCKS = {  # dimension, cells scheme, cells in each direction
+BLOCKS = {  # dimension, scheme for cells, number of cells in each direction
     "1D": (1, "simplicialSingle", 20000),
     "2D": (2, "simplicial", 150),
     "tetrahedra": (3, "simplicialSingle", 27),
     "hexahedra": (3, "simplicial", 27),
     "hexahedra, native": (3, "native", 27)}
-SIZES = (9, 21, 46, 58, 99)     # of blocks of tetrahedra
+SIZES = (9, 21, 46, 58, 99)     # for blocks of tetrahedra
 KEYS = ("block", "cells", *BASE)
 
 TRIAD = """
@@ -70,7 +70,7 @@ int main()
 
 
 def bandwidth(folder):
-    """Triad of STREAM on this core [GB/s]."""
+    """Bandwidth of the triad of STREAM on this core [GB/s]."""
     source = folder/"triad.cpp"
     source.write_text(TRIAD)
     checked(["g++", "-O3", "-march=native", str(source), "-o",
@@ -95,7 +95,7 @@ def make(folder, block, cells, options):
 
 
 def run(case, end, where):
-    """What the log says of a run to a time: µs per node and step, steps,
+    """Figures from the log of a run to a time: µs per node and step, steps,
     nodes, edges, bytes per node."""
     case.set("system/controlDict", {"endTime": end})
     log = checked(["bash", "-c", ". \"$0\"/etc/bashrc; "
@@ -109,8 +109,8 @@ def run(case, end, where):
 
 
 def measure(folder, block, cells, options, before):
-    """A row. 'crossing': time to simulate what a pressure wave needs for a
-    cell, per node."""
+    """A row of the table. 'crossing' is the time per node to simulate the time
+    that a pressure wave needs for a cell."""
     case = make(folder, block, cells, options)
     nodes = (cells + 1)**BLOCKS[block][0]
     end = max(20, 2e6/nodes)*0.3/cells
@@ -130,7 +130,7 @@ def measure(folder, block, cells, options, before):
 
 
 def name(row):
-    """Options that are not the default's."""
+    """The options that differ from the defaults."""
     said = ["`paper`"] if row["preset"] == "paper" else []
     if row["correction"]:
         said.append(f"`correction` {row['correction']}")
@@ -192,8 +192,8 @@ def page(rows, stream):
     (here/"kernel.md").write_text(f"""# Speed of the kernels
 
 Written by `tests/benchmark/kernel.py`, build {commit.stdout.strip() or "unknown"}. One core, no output, nothing in contact; the median of three runs.
-`paper` evaluates its fluxes twice in a step. A crossing is the time that a pressure wave needs for the width of a cell: that column is the cost of a
-simulated time, whatever the steps are. The triad of STREAM on this core moves {stream:.1f} GB/s.
+`paper` evaluates its fluxes twice in a step. A crossing is the time that a pressure wave needs for the width of a cell. So this column is the cost per
+simulated time, which does not depend on the length of the steps. The triad of STREAM on this core moves {stream:.1f} GB/s.
 
 {table(rows)}
 

@@ -45,7 +45,7 @@ def seconds(folder, material, cells, steps):
 def main(cells=24, steps=100):
     cells, steps = int(cells), int(steps)
     nodes = (cells + 1)**3
-    # In turns, since a machine may be faster at one time than at another
+    # In turns, since a machine is not equally fast at all times
     least = {}
     with tempfile.TemporaryDirectory() as folder:
         for i in range(5):

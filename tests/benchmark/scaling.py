@@ -30,7 +30,7 @@ EXCHANGES = 4               # gradients, corrections, adjoints, forces
 
 
 class Block:
-    """A case, its time per step and its messages on a number of ranks."""
+    """A case, its time per step, and its messages on a number of ranks."""
 
     def __init__(self, folder, cells, ranks):
         self.ranks = ranks
@@ -45,7 +45,7 @@ class Block:
             self.case.decompose(ranks)
 
     def start(self, steps, *options):
-        """The process that runs so many steps."""
+        """The process of a run with so many steps."""
         self.case.set("system/controlDict", {"endTime": steps*self.deltaT})
         command = ["vertexContactFoam"]
         if self.ranks > 1:
@@ -55,12 +55,12 @@ class Block:
                                 stdout=subprocess.PIPE)
 
     def run(self, steps, *options):
-        """Seconds a step."""
+        """Seconds per step."""
         return secondsPerStep(self.start(steps, *options))
 
     def sent(self, steps=20):
-        """Messages and bytes of a rank in a step, the largest of the ranks:
-        point to point, and inside of reductions."""
+        """Messages and bytes of a rank in a step, as the largest values of all
+        ranks: point to point, and within reductions."""
         totals = []
         for n in (1, steps + 1):
             profile = self.case/f"profile{n}"
@@ -77,7 +77,7 @@ class Block:
         return ((totals[1] - totals[0])/steps).max(axis=0)
 
     def sharedNodes(self):
-        """Of two ranks."""
+        """Number of nodes that two ranks share."""
         mine, others = (set(np.asarray(FoamFile(
             self.case/f"processor{rank}/constant/body/polyMesh"
             / "pointProcAddressing")[None]).tolist()) for rank in (0, 1))
@@ -92,10 +92,10 @@ def secondsPerStep(process):
 
 
 def perStep(one, two, steps, rounds=9):
-    """Seconds a step on one rank and on two: the median of the runs on one, and
-    that divided by the median of the ratios of runs next to each other, since a
-    machine is faster at one time than at another. And the middle half of the
-    efficiencies."""
+    """Seconds per step on one rank and on two. The value for one rank is the
+    median of its runs. The value for two ranks is this median divided by the
+    median of the ratios of runs next to each other, since a machine is not
+    equally fast at all times. Also the middle half of the efficiencies."""
     times = np.array([[block.run(steps) for block in (one, two)]
                       for _ in range(rounds)])
     low, ratio, high = np.percentile(times[:, 0]/times[:, 1], (25, 50, 75))
@@ -104,8 +104,8 @@ def perStep(one, two, steps, rounds=9):
 
 
 def slowedDown(one, other, steps, rounds=9):
-    """How much longer a run takes beside another one that shares nothing with
-    it but the machine."""
+    """The factor by which a run slows down beside another run that shares only
+    the machine with it."""
     ratios = []
     for _ in range(rounds):
         alone = one.run(steps)
@@ -124,7 +124,7 @@ def main(cells=58, steps=20):
         slower = slowedDown(one, Block(folder/"other", cells, 1), steps)
         (messages, size), (reductions, reduced) = two.sent()
         shared = two.sharedNodes()
-        # Of blocks so small that messages are what costs
+        # For blocks so small that messages determine the time
         small = [Block(folder/f"small{n}", 4, n) for n in (1, 2)]
         s1, s2, _ = perStep(*small, 2000)
         (fewMessages, _), (fewReductions, _) = small[1].sent()
@@ -135,15 +135,16 @@ def main(cells=58, steps=20):
 
     def predicted(many, ranks):
         own = many/ranks
-        # A cube of nodes has six neighbours across faces, 26 in all, and
-        # shares its surface; a reduction goes up a tree and down again
+        # A cube of nodes has six neighbours across faces, and 26 in all. It
+        # shares its surface with them. A reduction goes up a tree and down
+        # again
         surface = 6*own**(2/3)
         toNeighbours = 26*EXCHANGES
         inTrees = 2*math.log2(ranks)*(collective + 1)
         return (own*perNode, toNeighbours, inTrees,
                 surface*bytesShared/NETWORK[1])
 
-    # OpenFOAM sends what it reduces over few ranks from rank to rank
+    # For few ranks OpenFOAM passes the data of a reduction from rank to rank
     collective = messages + reductions - EXCHANGES
     compute, toNeighbours, inTrees, sending = predicted(*MANY)
     waiting = (toNeighbours + inTrees)*NETWORK[0]

@@ -32,7 +32,7 @@ def one(folder, cells):
 
 def two(pairing):
     def make(folder, cells):
-        # As many nodes in both together
+        # Both bodies together have as many nodes as the single body
         n = round(cells/2**(1/3))
         bodies = (Body(cells=(n,)*3, name="below", velocity=(0.1, 0.1, 0),
                        sides={"top": "contact"}),
@@ -49,12 +49,13 @@ SCENES = {"one body": one, "two bodies, AMI": two("AMI"),
 
 
 def start(case):
-    """Nodes, seconds of all but the steps, memory [MB]: peak, and in steps."""
+    """Number of nodes, seconds without the steps, and memory [MB]: the peak,
+    and during the steps."""
     begin = time.perf_counter()
     with open(case/"log", "w") as log:
         process = subprocess.Popen(["vertexContactFoam"], cwd=case.path,
                                    stdout=log, stderr=subprocess.STDOUT)
-        # What is resident once a step is done
+        # Resident memory after a step
         held = 0
         while not (ended := os.wait4(process.pid, os.WNOHANG))[0]:
             resident = re.search(r"VmRSS:\s+(\d+)", Path(
@@ -83,7 +84,7 @@ def main(cells=99):
                              f"{1e6*seconds/nodes:.1f} | {peak:,.0f} | "
                              f"{held:,.0f} | {1048576*held/nodes:,.0f} |")
                 print(lines[-1], flush=True)
-        # The last one holds two bodies
+        # The last case has two bodies
         begin = time.perf_counter()
         case.decompose(2)
         decomposition = time.perf_counter() - begin

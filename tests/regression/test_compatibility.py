@@ -1,6 +1,7 @@
-"""Differences between OpenFOAM's releases: in one header, and
-tests/compatibility compiles sources against the headers of a release, or builds
-and runs it: of that here only what it refuses, and its comparison."""
+"""Differences between OpenFOAM's releases are in one header.
+tests/compatibility compiles sources against the headers of a release, or
+builds and runs the release. Here only the arguments that it refuses and its
+comparison are tested."""
 
 import copy
 import os
@@ -25,7 +26,7 @@ def compatibility(*arguments, **environment):
 
 
 def test_one_header(figures):
-    """No source but compat.H asks for the release."""
+    """Only compat.H asks for the release."""
     switches = {}
     for top in "src", "applications", "tests":
         for file in (root/top).rglob("*.[CH]"):
@@ -41,7 +42,7 @@ def test_one_header(figures):
 
 
 def test_installed_release(figures):
-    """A few files against the release that is installed."""
+    """Compile a few files against the installed release."""
     code, output = compatibility(os.environ["WM_PROJECT_DIR"], *FEW)
     lines = output.splitlines()
     with figures("tests/compatibility, installed release") as f:
@@ -52,7 +53,7 @@ def test_installed_release(figures):
 
 
 def test_failures_show():
-    """What does not compile is an error, with the reason."""
+    """A file that does not compile is an error, and the reason is shown."""
     code, output = compatibility(os.environ["WM_PROJECT_DIR"], FEW[1],
                                  CXX="false")
     assert code == 1
@@ -62,7 +63,7 @@ def test_failures_show():
 
 @pytest.mark.parametrize("arguments, reason", (
     ((), "which OpenFOAM?"), (("/nowhere",), "no src/OpenFOAM"),
-    (("-jobs", "none"), "-jobs wants a number"),
+    (("-jobs", "none"), "-jobs needs a number"),
     ((os.environ.get("WM_PROJECT_DIR", "."), "src/none.C"),
      "'src/none.C' is in no Make/files")))
 def test_wrong_arguments(arguments, reason):
@@ -77,10 +78,10 @@ def test_wrong_arguments(arguments, reason):
     ((), "which release?"),
     (("v1906",), "v1906 is older than v1912"),
     (("/nowhere",), "neither a release such as v2506 nor a folder"),
-    (("-jobs", "none", "v2506"), "-jobs wants a number"),
+    (("-jobs", "none", "v2506"), "-jobs needs a number"),
     (("v2306", "v2506"), "one release at a time"),
     (("-fast", "v2506"), "unknown argument '-fast'"),
-    (("-from",), "-from wants an address or a folder"),
+    (("-from",), "-from needs an address or a folder"),
     (("-from", "/nowhere", os.environ.get("WM_PROJECT_DIR", ".")),
      "-from is for a release")))
 def test_wrong_arguments_of_run(arguments, reason):
@@ -89,15 +90,16 @@ def test_wrong_arguments_of_run(arguments, reason):
     assert reason in output
 
 
-# tests/compatibility -root: what it refuses, before it looks for root and tools
+# tests/compatibility -root: what it refuses before it checks for root and the
+# tools
 
 @pytest.mark.parametrize("arguments, reason", (
     ((), "which distribution?"),
     (("debian:11",), "none of debian:12, debian:13, ubuntu:22.04"),
     (("debian:12", "debian:13"), "one distribution at a time"),
-    (("-jobs", "0", "debian:13"), "-jobs wants a number"),
-    (("-mirror",), "-mirror wants an address"),
-    (("-compiler", "icpx", "debian:13"), "-compiler wants a name such as"),
+    (("-jobs", "0", "debian:13"), "-jobs needs a number"),
+    (("-mirror",), "-mirror needs an address"),
+    (("-compiler", "icpx", "debian:13"), "-compiler needs a name such as"),
     (("-fast", "debian:13"), "unknown argument '-fast'")))
 def test_wrong_arguments_of_root(arguments, reason):
     code, output = compatibility("-root", *arguments)
@@ -114,7 +116,8 @@ def test_run_without_setup(tmp_path):
 
 
 def test_run_without_the_release(tmp_path):
-    """What is needed is said before it fails for want of the release."""
+    """The script prints its requirements before it fails because the release
+    is missing."""
     cache = tmp_path/"cache"
     cache.mkdir()
     (cache/"environment").write_text("VC_OPENFOAM='/nowhere'\n")
@@ -129,7 +132,7 @@ def test_run_without_the_release(tmp_path):
 
 
 def fakeRelease(folder, api):
-    """Folders of a release with nothing in them that compiles."""
+    """Folders of a release that contain nothing that compiles."""
     for name in ("src/OpenFOAM/a", "applications/utilities/a", "wmake/a",
                  "etc/a", "bin/a"):
         (folder/name).parent.mkdir(parents=True)
@@ -143,8 +146,8 @@ def fakeRelease(folder, api):
     ("2506", "no source tree of OpenFOAM in"), ("2412", "is not v2506 but v2412")))
 @pytest.mark.parametrize("way", ("folder", "address"))
 def test_run_of_a_fake_release(tmp_path, api, reason, way):
-    """A tag is fetched from a folder or an address, its sources are unpacked in
-    the cache and looked at."""
+    """A tag is fetched from a folder or an address. Its sources are unpacked
+    in the cache and checked."""
     cache = tmp_path/"cache"
     cache.mkdir()
     (cache/"environment").write_text("VC_OPENFOAM='/nowhere'\n")
@@ -163,7 +166,8 @@ def test_run_of_a_fake_release(tmp_path, api, reason, way):
 
 
 def test_run_of_a_fake_folder(tmp_path):
-    """Sources that are not compiled are copied, not touched."""
+    """Sources that are not compiled yet are copied; the originals stay
+    unchanged."""
     cache = tmp_path/"cache"
     cache.mkdir()
     (cache/"environment").write_text("VC_OPENFOAM='/nowhere'\n")
@@ -185,8 +189,9 @@ def sceneResults():
 
 
 def test_comparison_of_releases():
-    """Differences are relative to the largest energy and to the field's norm,
-    that of a gap to the displacements', and too large ones fail."""
+    """Differences are relative to the largest energy and to the norm of the
+    field (for a gap, to the norm of the displacements). Differences that are
+    too large fail."""
     ours, theirs = sceneResults(), sceneResults()
     assert checkRelease.compareScene(ours, theirs) == (0, 0)
     ours["energies"]["total:strain"][1] += 8e-12

@@ -1,6 +1,6 @@
-"""Every tutorial, on a coarse mesh and until its bodies are in contact: fields
-of both schemes are those of the stored references, and with the default preset
-those on 2, 3 and 4 ranks are the serial ones."""
+"""Every tutorial runs on a coarse mesh until its bodies are in contact. With
+both schemes the fields equal the stored references. With the default preset
+the fields on 2, 3 and 4 ranks equal the serial ones."""
 
 import json
 import os
@@ -45,15 +45,16 @@ def test_decompositions(run, tmp_path, figures, scene):
                         continue
                     a, b = (c.field(last, region, file.name)
                             for c in (serial, case))
-                    # A gap is a difference of positions of two bodies, and
-                    # strains are some hundred times more in a share
+                    # A gap is a difference of the positions of two bodies.
+                    # Errors of strains are some hundred times larger in the
+                    # hourglassShare
                     scale = (moved if file.name == "contactGap"
                              else 100 if file.name == "hourglassShare"
                              else largest(a))
                     error = largest(a - b)/max(scale, 1e-12)
                     if error >= worst:
                         worst, where = error, f"{region} {file.name}"
-            # Faces of spheres that begin to touch amplify round-off
+            # Spheres that begin to touch amplify round-off
             f.atMost(f"largest difference / largest value, {where}", worst,
                      1e-9 if scene.path == "newtonsCradle" else 1e-10)
         shutil.rmtree(case.path)
@@ -63,15 +64,16 @@ def test_decompositions(run, tmp_path, figures, scene):
 @pytest.mark.parametrize("scene, name", [
     (scene, name) for name, scene in REFERENCES.items()], ids=REFERENCES)
 def test_references(run, figures, scene, name):
-    """With the paper's scheme a change of the initial velocity by round-off
-    grows to more than the limit of the others in scenes of AMPLIFIED: they
-    part as far when they are run on one rank and on three (shallowIroning and
-    newtonsCradle: on processors with vectors of 256 and 512 bits, 1.2e-12). So
-    do accelerations of the default scheme. Gaps are differences of positions:
-    they are as exact as the largest displacement. Stresses are as exact as the
-    largest of any body (newtonsCradle: 3e-9 Pa, 58 kPa next to it), and so is
-    what is less than the limit itself of that: round-off of bodies that no wave
-    has reached, which differs from processor to processor."""
+    """With the paper's scheme, the scenes of AMPLIFIED amplify a change of the
+    initial velocity by round-off to more than the limit of the others. Runs on
+    one rank and on three differ as much (shallowIroning and newtonsCradle:
+    1.2e-12 on processors with vectors of 256 and 512 bits). The same holds for
+    accelerations of the default scheme. Gaps are differences of positions, so
+    their errors are relative to the largest displacement. Errors of stresses
+    are relative to the largest stress of any body (newtonsCradle: 3e-9 Pa
+    beside 58 kPa). So are those of other fields that are below the limit times
+    the largest one: they are round-off in bodies that no wave has reached, and
+    differ between processors."""
     reference = json.loads(FILE.read_text())[name]
     ours = norms(run(scene))
     assert sorted(ours) == sorted(reference)

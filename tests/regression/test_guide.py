@@ -1,4 +1,4 @@
-"""The guide in tutorials/README.md: its commands are run as they stand."""
+"""The commands of the guide in tutorials/README.md run as they are written."""
 
 import re
 
@@ -10,7 +10,7 @@ from vertexContactTests.smallCases import GmshBody, SmallCase
 
 GUIDE = root/"tutorials"/"README.md"
 BLOCKS = re.findall(r"(?ms)^```sh\n(.*?)^```$", GUIDE.read_text())
-BOX = "blockMesh -region"       # the block that is an alternative
+BOX = "blockMesh -region"       # the block with an alternative
 # Other versions of gmsh make other tetrahedra
 LAST = {"gmsh": (4.7, 0.3), "blockMesh": (4.5, 0.3)}
 PEAK = {"gmsh": (3.7, 0.3), "blockMesh": (3.9, 0.3)}
@@ -50,13 +50,13 @@ def test_guide(tmp_path, figures, mesh):
 
 
 def fenced(kind):
-    """The only block of the guide of a kind."""
+    """The only block of this kind in the guide."""
     block, = re.findall(rf"(?ms)^```{kind}\n(.*?)^```$", GUIDE.read_text())
     return block
 
 
 class Disc(GmshBody):
-    """In two dimensions, as the guide says."""
+    """The disc in two dimensions, as the guide has it."""
 
     dimensions = 2
 
@@ -73,11 +73,12 @@ def disc(folder, geometry):
 
 
 def test_two_dimensions(tmp_path, figures):
-    """Prisms, if gmsh is told so; else the error says how."""
+    """gmsh makes prisms if it is told so. Otherwise the error says how to do
+    it."""
     geometry = fenced("geo")
     case = disc(tmp_path/"layer", geometry).run()
     with figures("guide, disc in two dimensions") as f:
-        # Of a density of one, a metre thick
+        # For a density of one and a thickness of one metre
         f.within("momentum / pi R^2", case.momentumOf()[-1][0]
                  / (3.14159*0.01**2), 1, 0.02)
     code, output = disc(tmp_path/"tetrahedra", geometry.replace(

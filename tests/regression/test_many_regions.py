@@ -1,5 +1,6 @@
-"""Many regions: files of the case for those that have none of their own, with
-the same results to the last bit; and each as a whole on one rank."""
+"""Many regions. Regions without a file of their own use the file of the case,
+and the results are equal to the last bit. Each region can be on one rank as a
+whole."""
 
 import re
 import shutil
@@ -18,8 +19,8 @@ PUSH = {"push": {"type": "uniform", "acceleration": (0.01, 0, 0)}}
 
 
 def collision(folder, rigid=False):
-    """Three blocks in a row, each with its gap to the next; the second is
-    stiffer, or rigid."""
+    """Three blocks in a row with gaps between them. The second one is stiffer,
+    or rigid."""
     touching = {"left": "contact", "right": "contact"}
     soft = {"forces": PUSH, "scheme": {"correction": 0.2}, "sides": {
         **touching, "top": condition("traction", traction=(0, -0.01, 0))}}
@@ -36,7 +37,7 @@ def collision(folder, rigid=False):
 
 
 def share(case):
-    """Take from the regions what the case can have for all."""
+    """Remove from the regions the files that the case can have for all."""
     pointU = case.path/"0/b1/pointU"
     text = pointU.read_text()
     start, end = text.index("nonuniform"), text.index("boundaryField")
@@ -49,7 +50,7 @@ def share(case):
         for file in (f"0/{name}/pointU", f"constant/{name}/bodyForces",
                      f"constant/{name}/mechanicalProperties"):
             (case.path/file).unlink(missing_ok=True)
-        # OpenFOAM's tools want the file, without our dictionary
+        # OpenFOAM's tools need the file, even without our dictionary
         case.dictionary(f"system/{name}/fvSchemes", {
             f"{kind}Schemes": {} for kind in ("ddt", "grad", "div", "laplacian",
                                               "interpolation", "snGrad")})
@@ -58,7 +59,7 @@ def share(case):
 
 
 def results(folders):
-    """Of the last time of each folder."""
+    """Contents of the last time of each folder."""
     return [contents(folder/timeFolders(folder)[-1]) for folder in folders]
 
 
@@ -68,7 +69,7 @@ def differing(a, b, parts=(".",)):
 
 
 def test_same_results(tmp_path):
-    """Names go before expressions: b2 is the stiff one."""
+    """Names have precedence over expressions: b2 is the stiff block."""
     own = collision(tmp_path/"own").run()
     shared = collision(tmp_path/"shared")
     share(shared)
@@ -77,8 +78,8 @@ def test_same_results(tmp_path):
 
 
 def test_on_two_ranks(tmp_path):
-    """decomposePar knows nothing of shared files: they are found where the
-    case is."""
+    """decomposePar does not know shared files. They are found in the folder of
+    the case."""
     own, shared = collision(tmp_path/"own"), collision(tmp_path/"shared")
     share(shared)
     for case in own, shared:
@@ -91,8 +92,8 @@ STRETCH = np.array((1.02, 0.01, 0, 0, 0.99, 0, 0, 0, 1))
 
 @pytest.mark.parametrize("ranks", (1, 2))
 def test_shared_start(tmp_path, ranks):
-    """A start field of the case is for the regions that have none of their
-    own and whose law takes it: b2 is rigid, b3 has its own."""
+    """A start field of the case applies to regions that have no such field and
+    whose law accepts it. Here b2 is rigid, and b3 has its own field."""
     own, shared = (collision(tmp_path/name, rigid=True)
                    for name in ("own", "shared"))
     for case in own, shared:
@@ -115,7 +116,7 @@ def test_shared_start(tmp_path, ranks):
 
 
 def test_bad_shared_start(tmp_path):
-    """It is named as it stands."""
+    """The error names the shared field as the user wrote it."""
     case = collision(tmp_path/"case")
     case.write("0/pointD", "pointVectorField",
                "dimensions [0 0 0 0 0 0 0];\n"
@@ -125,7 +126,8 @@ def test_bad_shared_start(tmp_path):
 
 
 def test_restart(tmp_path):
-    """What is written belongs to each region; a run goes on from that."""
+    """A written time has fields for each region, and a restarted run uses
+    them."""
     whole = collision(tmp_path/"whole")
     share(whole)
     shutil.copytree(whole.path, tmp_path/"parts")
@@ -149,7 +151,7 @@ def test_no_material(tmp_path):
     share(case)
     case.dictionary("constant/solidProperties", {"b1": RUBBER, "b2": RUBBER})
     message = refused(case)
-    for part in ("solidProperties", "No entry fits region 'b3'", "(b1 b2)",
+    for part in ("solidProperties", "No entry is for region 'b3'", "(b1 b2)",
                  "constant/b3/mechanicalProperties"):
         assert part in message, part
 
@@ -160,7 +162,7 @@ def test_entry_without_region(tmp_path):
     case.dictionary("constant/solidProperties",
                     {'"b.*"': RUBBER, "disc": RUBBER})
     message = refused(case)
-    assert "Keyword 'disc' fits no region" in message
+    assert "Keyword 'disc' matches no region" in message
     assert "(b1 b2 b3)" in message
 
 
@@ -183,7 +185,8 @@ def test_shared_patches_are_checked(tmp_path):
 
 
 def place(case, ranks, method="manual", more=None):
-    """decomposePar's dictionaries; what placeRegions does and says."""
+    """Write the dictionaries of decomposePar, run placeRegions, and return its
+    output."""
     for region in ("", *NAMES):
         case.dictionary(f"system/{region}/decomposeParDict", {
             "numberOfSubdomains": ranks, "method": method,
@@ -192,8 +195,8 @@ def place(case, ranks, method="manual", more=None):
 
 
 def test_whole_regions_on_ranks(tmp_path, figures):
-    """Two ranks for three bodies in a row: neighbours together, and the same
-    motion as on one rank."""
+    """Two ranks for three bodies in a row: neighbours are on the same rank,
+    and the motion is that of one rank."""
     case = collision(tmp_path/"serial").run()
     shared = collision(tmp_path/"case")
     done = place(shared, 2)
@@ -232,7 +235,8 @@ def test_place_regions_refuses(tmp_path, ranks, method, message):
 
 @pytest.mark.parametrize("n", (None, "(1 3 1)", "(3 1 1)"))
 def test_a_rank_for_each_region(tmp_path, n):
-    """As many ranks as regions, also across the row: none has nothing."""
+    """As many ranks as regions, also for columns of ranks across the row: each
+    rank has one region."""
     case = collision(tmp_path/"case")
     done = place(case, 3,
                  more={"hierarchicalCoeffs": {"n": n}} if n else None)

@@ -1,5 +1,5 @@
-"""What says who made the project and how to get it, in etc/, is in order and
-agrees with the README."""
+"""The files in etc/ that describe the project, its authors and how to get it
+are correct and agree with the README."""
 
 import ast
 import json
@@ -15,7 +15,7 @@ RECIPE = (ETC/"spack/spack_repo/vertexcontact/packages/vertexcontact"
 
 
 def test_citation():
-    """The paper and its authors are those of the README."""
+    """The paper and its authors are the same as in the README."""
     article = CITATION.split("preferred-citation:\n", 1)[1]
     authors = re.findall(r"given-names: (.*)\n +family-names: (.*)\n", article)
     assert len(authors) == 5
@@ -39,8 +39,8 @@ def test_codemeta():
 
 
 def test_spack_recipe():
-    """It is Python, of the name that its folder asks for, and it finds this
-    checkout."""
+    """The recipe is valid Python, has the name that its folder requires, and
+    finds this checkout."""
     recipe = ast.parse(RECIPE.read_text())
     assert [node.name for node in recipe.body
             if isinstance(node, ast.ClassDef)] == ["Vertexcontact"]
@@ -49,8 +49,8 @@ def test_spack_recipe():
 
 
 def test_container():
-    """The scripts that it runs are there, and the first of the README's two
-    commands is among them."""
+    """The scripts that the container runs exist, and it runs the first of the
+    two commands of the README."""
     text = (ETC/"Containerfile").read_text()
     commands = re.findall(r"\b((?:etc|tutorials|tests)/[\w/]*\w)", text)
     assert "tutorials/twoBarImpact/similar/Allrun" in commands
@@ -58,8 +58,8 @@ def test_container():
 
 
 def test_container_steps():
-    """Its steps are those of tests/releases/cleanRoot, in their order, and its
-    distribution is one in which all of those were run."""
+    """The steps of the container are those of tests/releases/cleanRoot, in the
+    same order. All of these were run on its distribution."""
     container = (ETC/"Containerfile").read_text()
     steps = {"apt": "apt-get update", "setup": "etc/setup",
              "build": "./Allwmake -j", "units": "vertexContactUnitTests"}

@@ -45,7 +45,7 @@ def test_parallel_is_serial(run, figures, scene, ranks):
             t, u = serial.probe(f"point{name}", "pointU")
             t1, u1 = parallel.probe(f"point{name}", "pointU")
             assert len(t) == len(t1)
-            # Written with ten digits, of which the last one may differ
+            # Written with ten digits; the last digit may differ
             f.atMost(f"v at {name}: difference to serial / scale",
                      max(difference(t, t1, 0.1), difference(u, u1, 0.1)),
                      3e-10)
@@ -64,7 +64,7 @@ def test_parallel_is_serial(run, figures, scene, ranks):
 @pytest.mark.parametrize("method", ("metis", "random"))
 @pytest.mark.parametrize("name", COLLISIONS)
 def test_collision(tmp_path, figures, name, method):
-    """Every field of three ranks is that of one."""
+    """Every field on three ranks equals the field on one rank."""
     serial = collision(tmp_path/"serial", name, preset=DEFAULT).run()
     parallel = collision(tmp_path/"parallel", name, preset=DEFAULT)
     parallel.runParallel(3, method)
@@ -77,7 +77,7 @@ def test_collision(tmp_path, figures, name, method):
                     continue
                 a, b = (case.at(file.name, region=body.name)
                         for case in (serial, parallel))
-                # What has slid is a difference of displacements
+                # The slip is a difference of displacements
                 scale = (serial.at("pointD", region=body.name)
                          if file.name == "contactSlide" else a)
                 f.atMost(f"{body.name} {file.name}: difference / largest",
@@ -94,8 +94,8 @@ Physical Surface("surface", 2) = {1:12};
 
 
 def test_surface_with_itself(tmp_path, figures):
-    """Two boxes of one region, whose surface meets itself and slides: which
-    face is the minus side does not depend on the ranks."""
+    """Two boxes of one region; their surface touches itself and slides. The
+    choice of the minus face does not depend on the number of ranks."""
     def boxes(name):
         body = GmshBody(
             name="boxes", geometry=BOXES, sides={"surface": "contact"},

@@ -1,5 +1,5 @@
-"""What ParaView shows of the tutorials: its reader of OpenFOAM cases, VTK's,
-opened on the case.foam that Allrun leaves, serial and decomposed."""
+"""ParaView shows the tutorials correctly. VTK's reader of OpenFOAM cases,
+which ParaView uses, opens the case.foam of Allrun, serial and decomposed."""
 
 import shutil
 import sys
@@ -14,7 +14,7 @@ from vertexContactTests import caseTools
 from vertexContactTests.caseTools import (TUTORIALS, Case, checked, coarse,
                                           timeFolders)
 
-SHORT = 1/20        # of the run that a user sees
+SHORT = 1/20        # of the length of the user's run
 VTK_ORDER = [0, 3, 5, 1, 4, 2]      # XX YY ZZ XY YZ XZ
 DECOMPOSED = ("twoBarImpact/similar", "ringCollision", "hertzContact",
               "torusImpact/elastoPlastic", "spinningCube")
@@ -22,7 +22,7 @@ RENDER = [sys.executable, "-B", str(caseTools.root/"tutorials"/"renderCase.py")]
 
 
 def prepare(tutorial, folder):
-    """The case after a run of a few steps, written twice."""
+    """The case after a short run with two written times."""
     tutorials = caseTools.copyTutorials(folder/"tutorials")
     case = Case(tutorials/tutorial)
     control = case/"system"/"controlDict"
@@ -35,7 +35,7 @@ def prepare(tutorial, folder):
 
 
 def colours(file):
-    """Of a picture: its size, and the share of pixels that are not white."""
+    """The size of a picture, and the share of pixels that are not white."""
     with Image.open(file) as image:
         pixels = np.asarray(image.convert("RGB"))
     return pixels.shape, np.mean(np.any(pixels < 250, axis=2)), len(
@@ -52,7 +52,8 @@ def compare(f, case, region, body, time, decomposed):
     """The points and all point fields of a region."""
     points = case.points(region)
     size = np.ptp(points, axis=0).max()
-    # VTK has single precision; points of several ranks appear in each
+    # VTK has single precision; points that several ranks share appear on each
+    # of them
     X = np.asarray(body.points, dtype=float)
     index = np.arange(len(points))
     if decomposed:
@@ -66,7 +67,7 @@ def compare(f, case, region, body, time, decomposed):
     worst, where = np.abs(X - points[index]).max()/size, "points"
     for name in names:
         ours = case.field(time, region, name)[index]
-        # VTK leaves the order of uniform ones as it is
+        # VTK does not reorder the components of uniform fields
         if ours.shape[1] == 6 and np.ptp(ours, axis=0).any():
             ours = ours[:, VTK_ORDER]
         found = np.asarray(body[name], dtype=float).reshape(ours.shape)
@@ -117,7 +118,7 @@ def test_tutorial(tmp_path, figures, tutorial):
 
 
 def test_picture_of_a_tutorial(tmp_path):
-    """makePictures, for one of them."""
+    """Run makePictures for one tutorial."""
     tutorials = caseTools.copyTutorials(tmp_path/"tutorials")
     name = "spinningCube"
     checked([str(tutorials/"makePictures"), name], tmp_path)
@@ -126,8 +127,8 @@ def test_picture_of_a_tutorial(tmp_path):
 
 
 def test_pictures_are_kept():
-    """Each tutorial has its picture, in its README, and of a size that git
-    bears; Allrun and Allclean leave it alone."""
+    """Each tutorial has its picture in its README, small enough for git.
+    Allrun and Allclean do not change it."""
     for tutorial in TUTORIALS:
         folder = caseTools.root/"tutorials"/tutorial
         assert (folder/"picture.png").stat().st_size < 60e3
@@ -147,7 +148,7 @@ def test_allclean_keeps_the_picture(tmp_path):
 
 
 def test_command(tmp_path):
-    """renderCase.py as a user calls it."""
+    """renderCase.py, called as a user calls it."""
     case = prepare("ringCollision", tmp_path)
     checked(["./Allrun"], case.path, **coarse("ringCollision"), PLOT="0",
             NP="2")
@@ -158,5 +159,5 @@ def test_command(tmp_path):
 
 def test_no_case(tmp_path):
     done = caseTools.execute(RENDER, tmp_path)
-    assert done.returncode != 0 and "is no case" in done.stdout
+    assert done.returncode != 0 and "is not a case" in done.stdout
     assert "Traceback" not in done.stdout

@@ -1,6 +1,7 @@
-"""The README and the pages that users read: the tour runs as it stands, links,
-programs and options exist, the pages of keywords and presets are what the
-solver prints, and what presets cost is what was measured."""
+"""The README and the pages for users. The commands of the tour run as they are
+written. Links, programs and options exist. The pages of keywords and presets
+equal the output of the solver. The costs of the presets equal the measured
+ones."""
 
 import os
 import re
@@ -23,7 +24,7 @@ ALL = "\n".join(TEXT.values())
 
 
 def test_tour(tmp_path):
-    """Of the set-up and the compilation there is nothing left to do."""
+    """The set-up and the compilation are done already."""
     copy = copyTutorials(tmp_path/"tutorials")
     first, *rest = TOUR
     assert "etc/setup" in first and "Allwmake" in first and len(rest) >= 2
@@ -42,7 +43,7 @@ def test_tour(tmp_path):
 
 
 def anchors(page):
-    """Of the titles of a page, as GitHub makes them."""
+    """The anchors of the titles of a page, as GitHub makes them."""
     titles = re.findall(r"(?m)^#+ (.*)$", re.sub(
         r"(?ms)^```.*?^```$", "", page.read_text()))
     return {re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-")
@@ -52,7 +53,7 @@ def anchors(page):
 @pytest.mark.parametrize(
     "page", PAGES, ids=lambda page: str(page.relative_to(root)))
 def test_links(page):
-    """Files, and titles in pages, that a page leads to are there."""
+    """Files and titles to which a page links exist."""
     links = {"".join(link) for link in re.findall(
         r"\]\(([^)\s]+)\)|src=\"([^\"]+)\"", TEXT[page])}
     missing = []
@@ -71,13 +72,13 @@ def test_readme_leads_to_each_page():
 
 
 def test_readme_is_short():
-    """A screen and a half, for newcomers; the rest has pages of its own."""
+    """The README has a screen and a half for newcomers; everything else has
+    its own page."""
     assert len(README.splitlines()) <= 120
 
 
 def test_programs():
-    """Indented commands, and those between backquotes, name files that there
-    are."""
+    """Indented commands, and commands in backquotes, name files that exist."""
     named = set(re.findall(r"(?m)^    ((?:tutorials|tests|etc)/[\w/]+)", ALL))
     named |= set(re.findall(
         r"`((?:tutorials|tests|etc|src|applications)/[\w./]+)", ALL))
@@ -89,7 +90,7 @@ def test_programs():
 
 
 def test_options(tmp_path):
-    """Options of the solver that the pages name are those it has."""
+    """Options of the solver that the pages name exist."""
     known = checked(["vertexContactFoam", "-help"], tmp_path)
     named = {option for option in re.findall(
         r"`(?:vertexContactFoam )?(-[a-z]\w+)`", ALL)
@@ -101,22 +102,22 @@ def test_options(tmp_path):
 # The pages of reference
 
 def test_keywords(tmp_path):
-    """The page is what the solver prints. If not, writeKeywords.py mends it."""
+    """The page equals the output of the solver. If it does not, run
+    writeKeywords.py."""
     checked([str(REFERENCE/"writeKeywords.py"), "keywords.md"], tmp_path)
     assert ((tmp_path/"keywords.md").read_text()
             == TEXT[REFERENCE/"keywords.md"])
 
 
 def rows(text):
-    """Of the tables in a text, without their heads' rules."""
+    """Rows of the tables in a text, without the lines below their heads."""
     return [[cell.strip(" `") for cell in line.strip("|").split("|")]
             for line in text.splitlines()
             if line.startswith("|") and not line.startswith("|---")]
 
 
 def test_presets(tmp_path):
-    """All options of each preset stand in the table as -listPresets has
-    them."""
+    """The table has all options of each preset as -listPresets prints them."""
     printed = checked(["vertexContactFoam", "-listPresets"], tmp_path)
     lines = printed.split("the default is balanced\n\n", 1)[1].splitlines()
     expected = [re.split(r" {2,}", line.strip()) for line in lines if line]
@@ -127,7 +128,7 @@ def test_presets(tmp_path):
 
 
 def test_what_presets_cost():
-    """Errors and costs of the presets are those of the trade, to two
+    """Errors and costs of the presets equal those of the trade, to two
     digits."""
     table = rows(TEXT[REFERENCE/"accuracy.md"].split("## Which preset\n")[1])
     measured = {(row["case"], row["label"]): row
@@ -142,7 +143,7 @@ def test_what_presets_cost():
 
 
 def test_gallery():
-    """Each tutorial has its row, with picture, page, and figures."""
+    """Each tutorial has a row with picture, page, and figures."""
     table = rows(TEXT[root/"tutorials"/"gallery.md"])[1:]
     assert all(len(row) == 4 and all(row) for row in table)
     named = [re.search(r"\]\(([^)]+)/README\.md\)$", row[0])[1]
@@ -157,7 +158,7 @@ def test_gallery():
 
 
 def test_example_of_a_test(tmp_path, figures):
-    """The test in tests/README.md is one."""
+    """The example of a test in tests/README.md passes."""
     (block,) = re.findall(r"(?ms)^```python\n(.*?)^```$",
                           TEXT[root/"tests"/"README.md"])
     names = {}

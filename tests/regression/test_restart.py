@@ -52,8 +52,8 @@ def test_restart_in_contact(run, tmp_path, figures, scene):
 @pytest.mark.parametrize("ranks", (1, 2))
 @pytest.mark.parametrize("name", COLLISIONS)
 def test_restart_of_collision(tmp_path, figures, name, ranks):
-    """All files of the last time, bit by bit, after a restart in contact; in
-    parallel those of each rank."""
+    """After a restart in contact all files of the last time are equal bit by
+    bit. In parallel this holds for the files of each rank."""
     case = collision(tmp_path/"case", name, preset=DEFAULT)
     (expected, (contact, energies)), (found, (_, again)) = runAgain(
         case, ranks, lambda case, _: (case.contact("contact"), case.energies))
@@ -69,9 +69,10 @@ def test_restart_of_collision(tmp_path, figures, name, ranks):
 
 
 def test_restart_of_a_time_whose_name_is_cut(tmp_path, figures):
-    """Times that timePrecision cannot tell apart have longer names, and a run
-    that goes on from one of them takes yet more digits. Bit by bit the same,
-    with all that it keeps beside the fields."""
+    """If timePrecision cannot distinguish two times, their names get more
+    digits. A run that continues from one of these times may add still more
+    digits. All results are equal bit by bit, including the records beside the
+    fields."""
     interval = 4/3
     bar = Body((8,), velocity=lambda X: 0.05*X*(1, 0, 0))
     spinning = Body((2, 2), name="spinning", start=(2, 0, 0),
@@ -90,9 +91,9 @@ def test_restart_of_a_time_whose_name_is_cut(tmp_path, figures):
 
 
 def test_restart_of_own_steps_and_motions(tmp_path, figures):
-    """With steps of their own what is written of a region is older than its
-    time, by a way that differs from region to region: prescribed motions are
-    where they were then."""
+    """With subCycling the written state of a region is older than the written
+    time, by a different interval for each region. After a restart, prescribed
+    motions continue from the right positions."""
     fast = table((0, (0, 0, 0)), (10, (0.2, 0, 0)))
     stiff = Body((4, 4), name="stiff", material=dict(RUBBER, E=400),
                  sides={"right": "contact", "left": condition(
@@ -117,9 +118,10 @@ def test_restart_of_own_steps_and_motions(tmp_path, figures):
 
 @pytest.mark.parametrize("regions", (1, 2))
 def test_restart_on_other_ranks(tmp_path, figures, regions):
-    """A serial run is continued on two ranks, and that in serial: the same as
-    without. decomposePar takes the record of the run along only if there are
-    several regions; without it velocities are half a step off."""
+    """A serial run continues on two ranks, and this run continues in serial.
+    The results equal those of the straight run. decomposePar keeps the record
+    of the run only if there are several regions; without the record,
+    velocities are half a step off."""
     bodies = [
         Body((4, 3), name=f"body{i}", start=(1.5*i, 0, 0), material=RUBBER,
              velocity=lambda X: np.stack(

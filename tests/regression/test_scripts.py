@@ -24,7 +24,7 @@ def tutorials(tmp_path):
 
 @pytest.fixture
 def slowSolver(tmp_path):
-    """PATH with a program in the solver's place that takes four seconds, and
+    """PATH with a program instead of the solver. It takes four seconds, and
     then fails if FAILS is set."""
     folder = tmp_path/"bin"
     folder.mkdir()
@@ -67,13 +67,13 @@ def test_progress_on_a_terminal(tutorials, slowSolver):
             while chunk := os.read(ours, 4096):
                 output += chunk
         except OSError:
-            pass        # the end, on Linux
+            pass        # the end of the command line, on Linux
         process.wait()
     os.close(ours)
     output = output.decode()
     assert process.returncode == 0
     assert percentages(output) and "\r" in output
-    # Nothing is left of it
+    # No process of it is left
     assert output.endswith("\r\033[K")
 
 
@@ -88,8 +88,8 @@ def test_failure_with_progress(tutorials, slowSolver):
 
 @pytest.mark.parametrize("number", (signal.SIGINT, signal.SIGKILL))
 def test_interrupted(tutorials, slowSolver, number):
-    """Nothing goes on that holds the output, also where the tests themselves
-    were started with SIGINT ignored, as by a shell's '&'."""
+    """No process continues and keeps the output open, even if the tests were
+    started with SIGINT ignored, as by '&' in a shell."""
     with subprocess.Popen(
             ["./Allrun"], cwd=tutorials/CASE, start_new_session=True,
             preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
@@ -140,8 +140,8 @@ def test_alltest(tutorials, ranks):
 
 @pytest.mark.parametrize("tutorial", TUTORIALS)
 def test_options(tutorials, tmp_path, tutorial):
-    """All have the same ones, and four meshes; a wrong mesh is refused before
-    anything is run."""
+    """All tutorials have the same options, and four meshes. A wrong mesh is
+    refused before anything runs."""
     allrun = str(tutorials/tutorial/"Allrun")
     output = checked([allrun, "-h"], tmp_path)
     for option in "MESH=I|II|III|IV|", "[NP=N]", "[PLOT=0]":
@@ -161,7 +161,7 @@ def test_help(tutorials, script):
     assert done.returncode != 0 and "Traceback" not in done.stdout
 
 
-# Allwmake as one of OpenFOAM's modules: of objects that there are, it links
+# Allwmake as one of OpenFOAM's modules: it links existing objects
 
 @pytest.mark.parametrize("variables", (
     {"FOAM_MODULE_LIBBIN": "{}/lib", "FOAM_MODULE_APPBIN": "{}/bin"},
@@ -189,8 +189,9 @@ def test_module_arguments(tmp_path, arguments, variables, code, reason):
 
 
 def test_a_header_that_moves(tmp_path):
-    """Objects that depend on it cannot be made from where it was: all are made
-    anew. What only changes leaves them."""
+    """Objects that depend on a moved header cannot be made from the old
+    dependencies: all are compiled again. If a header only changes, they are
+    kept."""
     shutil.copy(root/"Allwmake", tmp_path)
     shutil.copytree(root/"etc", tmp_path/"etc")
     header = tmp_path/"src"/"vertexContact"/"one.H"
@@ -221,8 +222,9 @@ def test_a_header_that_moves(tmp_path):
 # Where Python finds its packages
 
 def test_python_path(tmp_path):
-    """Once, however often etc/bashrc is sourced, before what was there; of
-    another checkout that was sourced before nothing is left."""
+    """The packages are on PYTHONPATH once, however often etc/bashrc is
+    sourced, and before the earlier entries. Nothing is left of another
+    checkout that was sourced before."""
     output = checked(
         ["bash", "-euc", f". {root}/etc/bashrc; . {root}/etc/bashrc; "
          'echo "$PYTHONPATH"; python3 -c "import vertexContactCases, '

@@ -1,5 +1,5 @@
-"""How the files of the repository are written: scripts, C++ sources, lists of
-files, and what the map of the source names."""
+"""Style of the files of the repository: scripts, C++ sources, lists of files,
+and the names in the map of the source."""
 
 import re
 import shutil
@@ -20,8 +20,8 @@ HEAD = "/*" + 75*"-" + """*\\
 
 
 def tracked():
-    """Files of the repository, or of a copy without git those that are not
-    made by programs."""
+    """Files of the repository. In a copy without git: the files that no
+    program generates."""
     done = subprocess.run(["git", "ls-files", "-z", "--cached", "--others",
                            "--exclude-standard"], cwd=root,
                           capture_output=True, text=True)
@@ -43,7 +43,7 @@ def short(file):
 
 
 def where(files, bad):
-    """file:line of the lines that are bad."""
+    """file:line of the bad lines."""
     return [f"{short(file)}:{i}" for file in files
             for i, line in enumerate(file.read_text().split("\n"), 1)
             if bad(line)]
@@ -107,8 +107,8 @@ def test_description():
 
 
 def test_include_guards():
-    """A header is guarded by its name, with that of its family before it if
-    need be."""
+    """The include guard of a header has its name, with the name of its family
+    in front if necessary."""
     bad = []
     for file in SOURCES:
         if file.suffix == ".H" and file.is_relative_to(SOURCE):
@@ -124,7 +124,8 @@ def test_include_guards():
 @pytest.mark.parametrize("files", [
     file for file in FILES if file.parts[-2:] == ("Make", "files")], ids=short)
 def test_make_files(files):
-    """Every source that is listed is there, and every other is included."""
+    """Every source in the list exists, and every other source is included
+    somewhere."""
     folder = files.parents[1]
     text = re.sub(r"/\*.*?\*/", "", files.read_text(), flags=re.S)
     listed = re.findall(r"(?m)^\s*(\S+\.C)\s*$", text)
@@ -143,7 +144,8 @@ def test_make_files(files):
 # The map of the source
 
 def table(title):
-    """Rows below a title of src/vertexContact/README.md, by columns."""
+    """Rows of the table below a title of src/vertexContact/README.md, by
+    column."""
     text = (SOURCE/"README.md").read_text()
     part = text.split(f"{title}\n", 1)[1].split("\n## ", 1)[0]
     rows = [[cell.strip() for cell in line.strip("|").split("|")]
@@ -156,7 +158,7 @@ def quoted(cell):
 
 
 def paths(token):
-    """The files and folders that a token can mean: by path, or by name."""
+    """The files and folders that a token can mean, by path or by name."""
     for top in SOURCE, root, root/"tests"/"vertexContactTests":
         if (top/token).exists():
             return [top/token]
@@ -188,8 +190,8 @@ def circles(uses):
 
 
 def test_folders_use_each_other_one_way():
-    """What a folder includes never includes it again: each can be read after
-    those that it uses."""
+    """A folder never includes a folder that uses it. So each folder can be
+    read after the folders that it uses."""
     sources = [file for file in SOURCES if file.is_relative_to(SOURCE)
                and file.parent != SOURCE]
     folder = {file.name: file.relative_to(SOURCE).parts[0] for file in sources}
@@ -205,7 +207,8 @@ def test_folders_use_each_other_one_way():
 
 
 def test_equations():
-    """Each file of the map is there, each function in one of its row's."""
+    """Each file in the map exists, and each function is in one of the files of
+    its row."""
     bad = []
     rows = table("## From the paper's equations to the source")
     for equations, cell in rows:
@@ -227,15 +230,16 @@ def test_equations():
     assert bad == []
 
 
-# Constants with a point or an exponent; folders of which none is of the scheme
+# Constants with a point or an exponent; folders that are not part of the
+# scheme
 CONSTANT = re.compile(r"(?:constexpr|static const) (?:Foam::)?(?:scalar|double) "
                       r"(\w+) = [^;]*\d(?:\.\d|e-?\d)")
 REPORTS = ("passTimes", "dryRun", "solidFunctionObject")
 
 
 def test_numbers():
-    """Each number of the scheme stands in a line of its file, with its name or
-    below it, and each test that shows one is there."""
+    """Each number of the scheme is in a line of its file, on the line of its
+    name or below it. Each test that is named for it exists."""
     bad = []
     rows = [row for row in table("## Numbers of the scheme")
             if quoted(row[0])]
@@ -252,7 +256,7 @@ def test_numbers():
                     (root/"tests").glob(f"*/{token}")):
                 bad.append(f"{name}: no {token}")
 
-    # And each constant of the source that is no number of others
+    # Each constant of the source is in the tables, except those of REPORTS
     section = (SOURCE/"README.md").read_text().split(
         "## Numbers of the scheme\n", 1)[1].split("\n## ", 1)[0]
     bad += [f"{name} of {file.name} is not in the tables"
@@ -264,12 +268,13 @@ def test_numbers():
 
 
 def test_guide():
-    """What the guide 'To add' names is there, but for the X to be added."""
+    """Everything that the guide 'To add' names exists, except the X to be
+    added."""
     bad = []
     words = "\n".join(file.read_text() for file in FILES
                       if file.suffix in (".C", ".H", ".py"))
     text = (SOURCE/"README.md").read_text().split("## To add\n", 1)[1]
-    # An X in a path is the new name; sources and folders are paths
+    # An X in a path stands for the new name; sources and folders are paths
     for token in quoted(text):
         path = re.match(r"[\w./]+", token)[0]
         if re.search(r"(^|[/_])X", path):
@@ -286,8 +291,8 @@ def test_guide():
 # Python
 
 def test_one_search_path():
-    """Modules are found by PYTHONPATH, which etc/bashrc sets: no file edits the
-    path, and tests import nothing from each other."""
+    """Modules are found by PYTHONPATH, which etc/bashrc sets. No file changes
+    the path, and tests import nothing from each other."""
     python = [file for file in FILES
               if file.suffix == ".py" or isScript(file, rb"python3")]
     assert len(python) > 100 and root/"tutorials"/"makePictures" in python
@@ -296,7 +301,8 @@ def test_one_search_path():
 
 
 def test_slow_tests_are_there():
-    """What tests/Alltest -quick leaves out, by slowTests.txt."""
+    """The functions in slowTests.txt, which tests/Alltest -quick leaves out,
+    exist."""
     for name in sorted(slowTests.names()):
         file, function = name.split("::")
         assert f"def {function}(" in (root/"tests"/file).read_text(), name

@@ -7,12 +7,13 @@ import pytest
 from vertexContactTests.caseTools import (TUTORIALS, checked, coarse,
                                           copyTutorials, execute, root)
 
-FAULTY = "twoBarImpact/similar"     # the tutorial of the tests of failures
+FAULTY = "twoBarImpact/similar"     # the tutorial for the tests of failures
 
 
 @pytest.fixture
 def repository(tmp_path):
-    """A copy of the tutorials under git, with the project's ignore rules."""
+    """A copy of the tutorials in a git repository, with the project's ignore
+    rules."""
     folder = copyTutorials(tmp_path/"tutorials")
     shutil.copy(root/".gitignore", tmp_path)
     checked(["git", "init", "-q"], tmp_path)
@@ -21,7 +22,8 @@ def repository(tmp_path):
 
 
 def changes(repository):
-    """Files made, ignored or not, and changed or removed ones."""
+    """Files that were made (ignored or not), and files that were changed or
+    removed."""
     return (checked(["git", "ls-files", "--others"], repository)
             + checked(["git", "diff", "--name-status"], repository)).split()
 
@@ -29,20 +31,21 @@ def changes(repository):
 @pytest.mark.parametrize("tutorial", TUTORIALS)
 def test_tutorial(repository, figures, tmp_path, tutorial):
     case = repository/tutorial
-    allrun = str(case/"Allrun")         # called from elsewhere
+    allrun = str(case/"Allrun")         # called from another folder
     output = checked([allrun], tmp_path, **coarse(tutorial))
     assert len(output.splitlines()) < 20
     pictures = sorted(case.glob("*.png"))
     assert pictures and all(p.stat().st_size > 10000 for p in pictures)
     first = (case/"postProcessing/solidEnergies/0/energies.dat").read_bytes()
 
-    # Nothing but what git ignores
+    # Only files that git ignores
     untracked = checked(["git", "status", "--porcelain"], repository)
     untracked = [line for line in untracked.splitlines()
                  if not line.startswith("A  ")]
     assert untracked == []
 
-    # A copy on its own, in the active environment, with what the run left
+    # A separate copy in the active environment, with the files that the run
+    # left
     mine = tmp_path/"mine"
     shutil.copytree(case, mine)
     checked(["./Allrun"], mine, **coarse(tutorial), PLOT="0")
@@ -66,7 +69,8 @@ def test_wrong_option(repository, variable, value):
 
 
 def test_failure_is_reported(repository):
-    """The program that failed, the end of its log and an exit code."""
+    """The output has the program that failed, the end of its log and an exit
+    code."""
     case = repository/FAULTY
     (case/"constant"/"bar2"/"mechanicalProperties").unlink()
     done = execute(["./Allrun"], case, PLOT="0", **coarse(FAULTY))

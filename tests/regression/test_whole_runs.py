@@ -1,6 +1,7 @@
-"""Whole runs of tutorials on coarse meshes: two ranks have the result of one.
-Sums are in another order there: round-off must not be amplified, by contact
-that opens and closes hundreds of times, or by a sensor that switches."""
+"""Whole runs of tutorials on coarse meshes: two ranks give the result of one.
+Sums have another order there. Round-off must not be amplified, neither by
+contact that opens and closes hundreds of times, nor by a sensor that
+switches."""
 
 import pytest
 
@@ -8,7 +9,7 @@ from vertexContactTests.caseTools import DEFAULT, Tutorial, timeFolders
 from vertexContactTests.fieldReferences import TUTORIALS
 from vertexContactTests.smallCases import largest
 
-# Those in which surfaces move along each other, or which yield
+# Tutorials in which surfaces slide along each other, or which yield
 CHOSEN = [(path, mesh, tuple(options.items()))
           for path, mesh, _, options in TUTORIALS
           if path in ("ringCollision", "torusImpact/elastoPlastic",

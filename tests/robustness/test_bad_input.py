@@ -55,7 +55,7 @@ def force(contents):
 
 
 def paper(*actions):
-    """With the paper's scheme."""
+    """Use the paper's scheme."""
     def action(case):
         case.set("system/controlDict", {"preset": "paper"})
         for act in actions:
@@ -64,7 +64,7 @@ def paper(*actions):
 
 
 def field(name, kind, dimensions, value):
-    """A point field of bar 1 at the start."""
+    """Give bar 1 a point field at the start."""
     return lambda case: (case/f"0/bar1/{name}").write_text(
         f"FoamFile {{ version 2.0; format ascii; class point{kind}Field; "
         f"object {name}; }}\ndimensions [{dimensions}];\n"
@@ -81,7 +81,7 @@ def all_of(*actions):
 
 
 def plastic(hardening):
-    """Bar 1 of a plastic material."""
+    """Give bar 1 a plastic material."""
     return rewrite(material, f"type HenckyVonMises; rho 1; E 1; nu 0; "
                              f"{hardening}")
 
@@ -91,37 +91,37 @@ PLANE = ("type plane; planeType pointAndNormal; "
 
 
 def obstacle(shape, more="", side="(bar2 left)"):
-    """An obstacle beside the interface of the bars."""
+    """Add an obstacle beside the interface of the bars."""
     shape = "" if shape is None else f"obstacle {{ {shape} }}"
     return replace(contact, r"interfaces\s*\{",
                    f"interfaces {{ wall {{ side {side}; {shape} {more} }}")
 
 
 def invertCell(case):
-    """Put the second node of bar 2 behind its first."""
+    """Put the second node of bar 2 behind its first node."""
     case.replace("constant/bar2/polyMesh/points",
                  r"\(11\.26 ", "(9.9 ")
 
 
 def control(contents):
-    """More of controlDict."""
+    """Add entries to controlDict."""
     return replace("system/controlDict", r"functions\s*\{",
                    f"{contents}\nfunctions {{")
 
 
 def history(name, contents):
-    """A function object."""
+    """Add a function object."""
     return replace("system/controlDict", r"functions\s*\{", (
         f"functions {{ mine {{ type {name}; libs (vertexContact); "
         f"{contents} }}"))
 
 
 def held(contents):
-    """The far side of bar 1."""
+    """Change the condition on the far side of bar 1."""
     return replace(velocity, r"left\s*\{[^}]*\}", f"left {{ {contents} }}")
 
 
-# What is wrong, how it gets wrong, and what the message must name
+# The fault, the change that makes it, and the words that the message must have
 CASES = {
     "component of a velocity": (
         held("type fixedVelocity; velocity (0 0 0); components (x w);"),
@@ -541,7 +541,8 @@ def case(good, tmp_path):
 
 
 def test_good_input(case):
-    """What the cases below are made of has no fault of its own."""
+    """The valid input that the faults below are made from runs without
+    error."""
     done = execute(["vertexContactFoam"], case.path)
     assert done.returncode == 0, done.stdout
     assert "0.01" in timeFolders(case.path)
@@ -577,7 +578,8 @@ VARIABLES = {
 
 @pytest.mark.parametrize("what", VARIABLES)
 def test_variable_of_the_user(case, what):
-    """What the file uses by its name, or what is marked, may have any name."""
+    """Entries that the file uses by $, or that begin with _, may have any
+    name."""
     entries, shared = VARIABLES[what]
     if shared:
         rewrite("system/shared", shared)(case)
@@ -587,8 +589,7 @@ def test_variable_of_the_user(case, what):
 
 
 def test_start_fields_are_those_of_the_list(case):
-    """Each field that -listStartFields has is taken, and has its type and
-    dimensions."""
+    """Each field of -listStartFields is read, with its type and dimensions."""
     output = execute(["vertexContactFoam", "-listStartFields"],
                      case.path).stdout
     rows = re.findall(r"(?m)^    (\w+) +\[(\S+)\] +(\w+)  ", output)
@@ -619,7 +620,7 @@ def test_start_fields_are_those_of_the_list(case):
 
 
 def test_longest_step(case):
-    """maxDeltaT bounds the step, unless that is fixed."""
+    """maxDeltaT limits the step, unless the step is fixed."""
     def step(**entries):
         case.set("system/controlDict", entries)
         done = execute(["vertexContactFoam", "-dry-run"], case.path)
@@ -646,7 +647,7 @@ def test_bad_input(case, what):
     messages = re.findall(r"--> FOAM FATAL(?: IO)? ERROR", output)
     assert len(messages) == 1, output
 
-    # OpenFOAM's own message where a file is not there at all
+    # OpenFOAM has its own message if a file does not exist
     if what not in ("missing velocity", "missing material"):
         assert messages[0] == "--> FOAM FATAL IO ERROR", output
     message = output[output.index("--> FOAM FATAL"):]

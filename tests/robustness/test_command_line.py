@@ -33,14 +33,14 @@ def bars(path, cells=20, **control):
 
 
 def contents(folder):
-    """All that is in a folder: files with their sums, and folders."""
+    """All contents of a folder: files with their checksums, and folders."""
     return {str(path.relative_to(folder)):
             hashlib.sha1(path.read_bytes()).hexdigest() if path.is_file()
             else "folder" for path in folder.rglob("*")}
 
 
 def dryRun(case, ranks=1):
-    """Output of a dry run, which must change nothing."""
+    """Output of a dry run, which must change no file."""
     before = contents(case.path)
     command = ["vertexContactFoam", "-dry-run"]
     if ranks > 1:
@@ -62,7 +62,7 @@ def steps(output):
 
 @pytest.fixture(scope="module")
 def case(tmp_path_factory):
-    """A case that is read only, and its dry run."""
+    """A read-only case and its dry run."""
     case = bars(tmp_path_factory.mktemp("bars"))
     done = dryRun(case)
     assert done.returncode == 0, done.stdout
@@ -71,7 +71,7 @@ def case(tmp_path_factory):
 
 
 def test_dry_run_reports(case):
-    """What a run reports, and what it will cost."""
+    """The dry run reports the model of the case, and the cost of the run."""
     for what in ("Region left", "material linearElastic",
                  "Interface bars: left right - right left", "\nEnd\n"):
         assert what in case.output
@@ -80,7 +80,7 @@ def test_dry_run_reports(case):
     assert number(r"\nStep: (\S+) s at the start", case.output) > 0
     assert number(r"\nTrial: (\d+) steps", case.output) > 0
     assert number(r"\nRun time: about (\S+) s", case.output) > 0
-    assert "without the time to write 4 times, " in case.output
+    assert "not included: the time to write 4 times, " in case.output
 
 
 @pytest.mark.parametrize("control", [
@@ -88,19 +88,20 @@ def test_dry_run_reports(case):
     {"writeControl": "timeStep", "writeInterval": 20},
     {"adjustTimeStep": "no", "deltaT": 0.003}])
 def test_number_of_steps(tmp_path, control):
-    """Of linear elastic bars that are much slower than waves the stable step
-    does not change: the number of steps is exact."""
+    """With linear elastic bars that are much slower than waves, the stable
+    step does not change: the number of steps is exact."""
     case = bars(tmp_path, **control)
     estimated = steps(dryRun(case).stdout)
     output = checked(["vertexContactFoam"], case.path)
     assert estimated == steps(output)
     if control == {}:
-        # Nothing is left to do
+        # No step is left
         assert "\nSteps: none" in dryRun(case).stdout
 
 
 def test_dry_run_of_a_restart(tmp_path):
-    """From the latest time that is complete, without renaming another."""
+    """The dry run starts from the latest complete time. It does not rename an
+    incomplete one."""
     case = bars(tmp_path)
     checked(["vertexContactFoam"], case.path)
     shutil.rmtree(case/"1")
@@ -141,7 +142,7 @@ WRONG = {
 
 @pytest.mark.parametrize("what", WRONG)
 def test_bad_input(case, tmp_path, what):
-    """The same error as in a run."""
+    """A dry run has the same error as a run."""
     file, keyword, value, cure = WRONG[what]
     case = caseTools.Case(shutil.copytree(case.path, tmp_path/"case"))
     case.set(file, {keyword: value})
@@ -165,8 +166,8 @@ def listed(option, folder, *more):
 
 
 def test_help(tmp_path):
-    """All options are in the help, for users and for the completion by
-    OpenFOAM's shell functions, which read -help-full."""
+    """The help has all options, for users and for the completion of OpenFOAM's
+    shell functions, which read -help-full."""
     for option in "-help", "-help-full":
         output = checked(["vertexContactFoam", option], tmp_path)
         found = set(re.findall(r"(?m)^  -(\S+)", output))
@@ -174,8 +175,8 @@ def test_help(tmp_path):
     assert "contactProperties" in output
 
 
-# What lists the same as the error message about a word that is unknown:
-# option, file, keyword to set
+# The lists that must have the same names as the error message about an unknown
+# word: option, file, keyword to set
 NAMES = {
     "materials": ("listMaterials", "constant/left/mechanicalProperties",
                   "type"),
@@ -196,12 +197,12 @@ NAMES = {
        for name in ("cells", "volume", "reconstruction", "limiter",
                     "kinematics", "jacobian", "waveSpeed")}}
 
-# Those that only this preset has
+# Names and dictionaries that only preset paper has
 OF_PAPER = ("reconstruction", "limiter", "kinematics", "jacobian", "waveSpeed",
             "vertexCentred of the paper")
 
-# Dictionaries in which a keyword is set that does not exist, and what makes
-# them those of a model
+# Dictionaries in which an unknown keyword is set, and the entries that make
+# them dictionaries of a certain model
 KEYWORDS = {
     "linearElastic": ("listMaterials", "constant/left/mechanicalProperties",
                       "", {}),
@@ -239,7 +240,7 @@ KEYWORDS = {
 
 @pytest.fixture
 def spoilt(case, tmp_path):
-    """A copy that has a body force, too."""
+    """A copy of the case that also has a body force."""
     case = caseTools.Case(shutil.copytree(case.path, tmp_path/"case"))
     (case/"constant"/"left"/"bodyForces").write_text(
         "FoamFile { version 2.0; format ascii; class dictionary; "
@@ -249,7 +250,7 @@ def spoilt(case, tmp_path):
 
 
 def valid(case):
-    """Words in parentheses of the message about an unknown one."""
+    """Words in parentheses in the message about an unknown word."""
     output = execute(["vertexContactFoam", "-dry-run"], case.path).stdout
     found = re.search(r"Valid [^:(]*: ?\n?[^(]*\(([^)]*)\)", output)
     assert found, output
@@ -258,9 +259,9 @@ def valid(case):
 
 @pytest.mark.parametrize("what", NAMES)
 def test_names(spoilt, tmp_path, what):
-    """A list has every name of the message about an unknown one."""
+    """A list has every name that the message about an unknown name has."""
     option, file, keyword = NAMES[what]
-    # A condition that OpenFOAM has, but that is not one of a solid
+    # OpenFOAM has this condition, but it is not a condition for solids
     wrong = "calculated" if what == "conditions" else "xyzzy"
     if what in OF_PAPER:
         spoilt.set("system/controlDict", {"preset": "paper"})
@@ -273,8 +274,8 @@ def test_names(spoilt, tmp_path, what):
 
 @pytest.mark.parametrize("what", KEYWORDS)
 def test_keywords(spoilt, tmp_path, what):
-    """A list has every keyword of the message about an unknown one, with what
-    it means."""
+    """A list has every keyword that the message about an unknown keyword has,
+    with its meaning."""
     option, file, prefix, entries = KEYWORDS[what]
     if what in OF_PAPER:
         spoilt.set("system/controlDict", {"preset": "paper"})
@@ -287,7 +288,7 @@ def test_keywords(spoilt, tmp_path, what):
 
 
 def test_presets_are_what_they_say(case, tmp_path):
-    """The columns of the presets, against what a run with them reports."""
+    """The columns of the presets equal what a run with each preset reports."""
     rows = [line.split() for line in
             listed("listPresets", tmp_path).splitlines() if line.strip()]
     names = next(row for row in rows if "balanced" in row and "fast" in row
@@ -312,15 +313,15 @@ def test_presets_are_what_they_say(case, tmp_path):
 
 
 def test_library_of_a_user(tmp_path):
-    """Models of a library that is not ours, from the command line or from the
-    controlDict of a case."""
+    """Models of another library are listed. The library comes from the command
+    line or from the controlDict of a case."""
     library = "manufacturedSolution"
     checked(["wmake", "-s", "libso", f"tests/verification/{library}"],
             caseTools.root)
     assert library not in listed("listBodyForces", tmp_path)
     byOption = listed("listBodyForces", tmp_path, "-lib", library)
 
-    # A folder with nothing but a controlDict
+    # A folder that has only a controlDict
     (tmp_path/"system").mkdir()
     (tmp_path/"system"/"controlDict").write_text(
         "FoamFile { version 2.0; format ascii; class dictionary; "
@@ -333,7 +334,8 @@ def test_library_of_a_user(tmp_path):
 @pytest.mark.parametrize("ranks", (1, 2))
 @pytest.mark.parametrize("preset", (DEFAULT, "paper"))
 def test_profile(preset, ranks, tmp_path):
-    """The passes are the steps, and nothing else changes."""
+    """The times of the passes add up to the steps, and the results do not
+    change."""
     case = bars(tmp_path/"case", cells=200//ranks**2, preset=preset)
     if ranks > 1:
         case.decompose(ranks)
@@ -351,11 +353,11 @@ def test_profile(preset, ranks, tmp_path):
     assert steps(output) == steps(plain)
     passes = {name: (float(us), float(share)) for name, us, share in re.findall(
         r"\n    ([a-z ]+): (\S+), (\S+) %", output)}
-    # Ranks wait for each other: what is short may be below what is shown
+    # Ranks wait for each other: short passes may be below the shown minimum
     expected = {"gradients", "fluxes", "stress", "update", "other"} \
         if ranks == 1 else {"processors", "other"}
     assert expected <= set(passes), output
     assert abs(sum(share for _, share in passes.values()) - 100) < 1.5, passes
     us = number(r"\nSteps: .* s, (\S+) us", output)
     assert abs(sum(us for us, _ in passes.values()) - us) < 0.02*us
-    assert 0 < number(r"on a core, (\S+) of what", output) < 2
+    assert 0 < number(r"on a core, (\S+) of the", output) < 2

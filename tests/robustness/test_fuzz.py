@@ -1,8 +1,10 @@
-"""Inputs of small cases with one random fault each: a clean run, or one error
-that names the file and, of a fault in an entry, the keyword. Never a crash, a
-hang, or an unknown keyword that is taken without a word.
+"""Inputs of small cases with one random fault each. The result is a clean run,
+or one error that names the file and, if the fault is in an entry, the keyword.
+There is never a crash or a hang, and an unknown keyword is never accepted in
+silence.
 
-FUZZ in the environment: number of faults (default 500), SEED of the first."""
+FUZZ in the environment is the number of faults (default 500), SEED the first
+seed."""
 
 import os
 import random
@@ -19,12 +21,12 @@ from vertexContactTests.collisions import collision
 COUNT = int(os.environ.get("FUZZ", 500))
 SEED = int(os.environ.get("SEED", 1))
 SCENES = ("friction, AMI", "plastic, nearestFace", "elastic, rising sphere")
-PATIENCE = 60           # seconds; a run takes 0.2
+PATIENCE = 60           # seconds; a run takes 0.2 s
 
-# Entries that a number which is not what was meant only makes long
+# Entries for which a wrong number only makes the run long
 LENGTHS = {"endTime", "deltaT", "maxCo", "writeInterval", "adjustTimeStep",
            "logInterval"}
-# Not of this project alone: OpenFOAM has messages of its own about them
+# OpenFOAM also has messages of its own about these
 OTHERS = {"controlDict", "pointU", "fvSolution"}
 
 ENTRY = re.compile(r"^([ \t]*)([A-Za-z]\w*)[ \t]+([^;{}\n]+);", re.M)
@@ -45,7 +47,7 @@ def inHeader(text, position):
 
 
 def faults(text, chance):
-    """Name of the fault, the text with it, and the keywords of which the
+    """Name of the fault, the changed text, and the keywords of which the
     message may name one."""
     kind = chance.choice((
         "deleted", "doubled", "swapped", "negative", "huge", "nan", "word",
@@ -94,7 +96,7 @@ def faults(text, chance):
 
 
 def run(case):
-    """Exit code and output; None for a run that goes on and on."""
+    """Exit code and output; None if the run does not end."""
     try:
         done = subprocess.run(
             ["vertexContactFoam"], cwd=case.path, timeout=PATIENCE,
@@ -107,7 +109,7 @@ def run(case):
 
 
 def verdict(kind, file, keywords, code, output):
-    """What is wrong with how the program took the fault, else nothing."""
+    """The fault in the program's response; empty if the response is right."""
     if code is None:
         return "hangs"
     if code < 0 or "sigSegv" in output or "sigFpe" in output \
@@ -124,10 +126,10 @@ def verdict(kind, file, keywords, code, output):
         return f"{len(messages)} messages"
     message = output[output.index("--> FOAM FATAL"):]
     if "Likely cures" in message:
-        return ""           # a run that was not impossible before it began
+        return ""           # a run whose input was not impossible at first
     named = any(k in message for k in keywords)
     if file.name in OTHERS:
-        # Messages of OpenFOAM, of which some name the one, some the other
+        # Messages of OpenFOAM; they name one of these keywords
         return "" if file.name in message or named \
             or "Valid entries" in message else "message names nothing"
     if file.name not in message:

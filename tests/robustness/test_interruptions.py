@@ -1,5 +1,5 @@
-"""Runs that are killed, asked to stop, changed while they go on, or find no
-room to write: what was written stays, and goes on."""
+"""Runs that are killed, asked to stop, changed while they run, or find no
+space to write: the written times stay valid, and runs continue from them."""
 
 import os
 import random
@@ -26,8 +26,8 @@ NAME = "friction, nearestFace"
 
 
 def contents(case, time, ranks=1):
-    """All files of a time. In parallel without the accounts, which after a
-    restart are summed over the ranks in another order; without the notes that
+    """All files of a time. In parallel without the accounts, since a restarted
+    run sums them over the ranks in another order. Without the files that
     OpenFOAM's function objects write for themselves after the time."""
     others = {"functionObjectProperties"}
     if ranks > 1:
@@ -44,7 +44,7 @@ def differing(a, b):
 
 
 def frequent(folder, name=NAME, ranks=1, endTime=0.8):
-    """A case that writes often, ready to run."""
+    """A case that writes often and has not run yet."""
     case = collision(folder, name, endTime=endTime, preset=DEFAULT)
     case.set("system/controlDict", {"writeInterval": endTime/INTERVALS})
     if ranks > 1:
@@ -53,7 +53,7 @@ def frequent(folder, name=NAME, ranks=1, endTime=0.8):
 
 
 class Running:
-    """A run that goes on while the test does something to it."""
+    """A run that goes on while the test changes something."""
 
     def __init__(self, case, ranks=1, limit=None):
         self.case, self.ranks = case, ranks
@@ -72,8 +72,8 @@ class Running:
             self.kill()
 
     def kill(self):
-        """The ranks too, which mpirun puts in groups of their own: they would
-        write on while the next run starts."""
+        """Kill the run with its ranks, which mpirun puts in groups of their
+        own. Otherwise they would write while the next run starts."""
         session = str(self.process.pid)
         begin = time.time()
         while self.process.poll() is None or re.search("^[^Z]", subprocess.run(
@@ -100,8 +100,7 @@ class Running:
 
 @pytest.fixture(scope="module")
 def straight(tmp_path_factory):
-    """The run that nothing happened to, by scene and ranks, and its
-    duration."""
+    """The undisturbed run, by scene and number of ranks, and its duration."""
     made = {}
 
     def get(name=NAME, ranks=1):
@@ -123,8 +122,8 @@ def copied(case, path, what="pristine"):
 @pytest.mark.parametrize("name, ranks, kills", (
     (NAME, 1, 25), ("plastic, sphere", 1, 15), ("friction, AMI", 2, 10)))
 def test_killed(straight, tmp_path, figures, name, ranks, kills):
-    """At random instants, again and again until the end is reached, and from
-    the start until there were enough."""
+    """The run is killed at random instants until it reaches the end, and
+    starts again from the beginning until there were enough kills."""
     whole, duration = straight(name, ranks)
     last = timeFolders(whole/rankFolders(ranks)[0])[-1]
     expected = contents(whole, last, ranks)
@@ -178,7 +177,7 @@ def cut(file):
 
 
 def noLater(folder):
-    """Cut in a field, the accounts not ended."""
+    """The last time ends within a field, or without the accounts."""
     (folder/"below/sigma").unlink()
     cut("below/F")(folder)
     (folder/"uniform/solidSystem").write_text("FoamFile\n{")
@@ -189,7 +188,7 @@ def noLater(folder):
                          ids=("only time", "empty", "in a field", "at the end"))
 @pytest.mark.parametrize("ranks", (1, 2))
 def test_half_written(straight, tmp_path, figures, harm, ranks):
-    """A time that one rank had not written to the end."""
+    """One rank did not write a time completely."""
     whole, _ = straight(NAME, ranks)
     case = copied(whole, tmp_path/"case", "case")
     times = timeFolders(case/rankFolders(ranks)[0])
@@ -230,7 +229,8 @@ def noVelocity(folder):
 
 @pytest.mark.parametrize("size", (0, 40, 200, -100))
 def test_half_written_notes(straight, tmp_path, figures, size):
-    """What OpenFOAM writes after a time does not keep a run from going on."""
+    """An incomplete file that OpenFOAM writes after a time does not prevent a
+    restart."""
     whole, _ = straight()
     case = copied(whole, tmp_path/"case", "case")
     times = timeFolders(case.path)
@@ -259,8 +259,8 @@ def noDisplacement(folder):
     ids=("cut", "garbage", "other mesh", "missing", "no displacement",
          "cut text"))
 def test_harmed_start(straight, tmp_path, figures, harm, file):
-    """A complete time of which a file was harmed later: no start from it, and
-    nothing else is touched."""
+    """A file of a complete time was damaged later: the run does not start from
+    this time, and changes nothing."""
     whole, _ = straight()
     case = copied(whole, tmp_path/"case", "case")
     last = timeFolders(case.path)[-1]
@@ -278,7 +278,7 @@ def test_harmed_start(straight, tmp_path, figures, harm, file):
 
 
 def test_missing_processor(straight, tmp_path, figures):
-    """Half of a decomposed case."""
+    """One processor folder of a decomposed case is missing."""
     whole, _ = straight(NAME, 2)
     case = copied(whole, tmp_path/"case")
     shutil.rmtree(case/"processor1")
@@ -290,7 +290,7 @@ def test_missing_processor(straight, tmp_path, figures):
 
 
 def test_time_of_a_user(straight, tmp_path, figures):
-    """Fields that a tool has made, without accounts, are a start."""
+    """A time with fields from a tool, without accounts, is a valid start."""
     whole, _ = straight()
     case = copied(whole, tmp_path/"case")
     (case/"0").rename(case/"0.5")
@@ -308,12 +308,12 @@ def test_time_of_a_user(straight, tmp_path, figures):
 @pytest.mark.parametrize("which, ends", (
     (signal.SIGUSR1, False), (signal.SIGUSR2, True), (signal.SIGTERM, True)))
 def test_signals(straight, tmp_path, figures, which, ends, ranks):
-    """To the last rank alone."""
+    """The signal goes to the last rank only."""
     whole, _ = straight(NAME, ranks)
     case = copied(whole, tmp_path/"case")
     case.set("system/controlDict", {"writeInterval": 0.1, "endTime": 4,
                                     "logInterval": 1})
-    asked = "Asked by a signal to write"
+    asked = "A signal asks the run to write"
     with Running(case, ranks) as run:
         run.reach(0)
         process = run.process.pid
@@ -343,7 +343,7 @@ def test_signals(straight, tmp_path, figures, which, ends, ranks):
         f.equal("the last time is one", timeFolders(case/folder)[-1] == odd[0],
                 ends)
         f.equal("End", "\nEnd" in log, True)
-    # And goes on from there
+    # And the run continues from this time
     case.set("system/controlDict", {"stopAt": "endTime", "endTime":
              float(odd[0]) + 0.01})
     for later in rankFolders(ranks):
@@ -355,13 +355,13 @@ def test_signals(straight, tmp_path, figures, which, ends, ranks):
 
 
 def small():
-    """Files of a run end after 12 kB: F does not fit."""
+    """Files are limited to 12 kB: F is too large."""
     signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
     resource.setrlimit(resource.RLIMIT_FSIZE, (12000, 12000))
 
 
 def test_no_room(straight, tmp_path, figures):
-    """A file that cannot be written to its end: like a disk that is full."""
+    """A file that cannot be written completely, as on a full disk."""
     whole, _ = straight()
     case = copied(whole, tmp_path/"case")
     times = timeFolders(whole.path)
@@ -369,7 +369,7 @@ def test_no_room(straight, tmp_path, figures):
         code, log = run.end()
     again = Running(case)
     codeAgain, logAgain = again.end()
-    # The first that is not uniform
+    # The first field that is not uniform
     told = re.search(r"FATAL[^>]*/([0-9.]+)/above/F", log)
     with figures("files of 12 kB at most") as f:
         f.equal("exit code", code, 1)
@@ -382,7 +382,7 @@ def test_no_room(straight, tmp_path, figures):
 
 @pytest.mark.parametrize("ranks", (1, 2))
 def test_no_folder(straight, tmp_path, figures, ranks):
-    """A time folder that cannot be made, on one rank."""
+    """One rank cannot make a time folder."""
     whole, _ = straight(NAME, ranks)
     case = copied(whole, tmp_path/"case")
     times = timeFolders(whole/rankFolders(ranks)[0])
@@ -400,7 +400,7 @@ def test_no_folder(straight, tmp_path, figures, ranks):
 
 @pytest.mark.parametrize("ranks", (1, 2))
 def test_short_step(straight, tmp_path, figures, ranks):
-    """A stable step that falls below minDeltaT, in contact."""
+    """The stable step falls below minDeltaT, in contact."""
     whole, _ = straight(NAME, ranks)
     case = copied(whole, tmp_path/"case")
     case.set("system/controlDict", {"logInterval": 1})
@@ -410,7 +410,7 @@ def test_short_step(straight, tmp_path, figures, ranks):
         r"  Time (\S+) s  deltaT (\S+) s  Co (\S+)", log)]
     limits = [limit for _, limit in steps]
     least = (limits[0] + min(limits))/2
-    # The limit of a step is that of the state it starts from
+    # The limit of a step belongs to the state at its start
     stop = next(t for (t, _), (_, limit) in zip(steps, steps[1:])
                 if limit < least)
 
@@ -432,7 +432,7 @@ def test_short_step(straight, tmp_path, figures, ranks):
 
 @pytest.mark.parametrize("ranks", (1, 2))
 def test_energy_rise(tmp_path, figures, ranks):
-    """A coarse cube that turns, without limiter: it gains energy."""
+    """A coarse cube rotates, without limiter: it gains energy."""
     cube = Body(cells=(3, 3, 3), material=RUBBER, scheme={"limiter": "none"},
                 velocity=lambda X: np.cross((0, 0, 1), X - 0.5))
     bound = 1e-4
@@ -466,9 +466,10 @@ def test_energy_rise(tmp_path, figures, ranks):
     (1, 20, "FHJ"), (1, 60, "FHJ"), (2, 20, "FHJ"), (3, 60, "FHJ"),
     (1, 60, "F"), (2, 20, "FJ"), (1, 60, ""), (3, 20, "")))
 def test_bad_state(tmp_path, figures, ranks, speed, kinematics):
-    """A corner that is turned inside out, on one rank only: all write the state
-    at the start of that step, which is that of a run that ends there. Of the
-    paper's scheme with kinematics, else with the default preset."""
+    """A corner is turned inside out, on one rank only: all ranks write the
+    state at the start of this step, which equals that of a run that ends
+    there. With kinematics the paper's scheme is used, otherwise the default
+    preset."""
     def velocity(X):
         return np.where(X.sum(axis=1, keepdims=True) < 0.6, speed, 0)*(1, 1, 1)
 
@@ -504,12 +505,12 @@ def test_bad_state(tmp_path, figures, ranks, speed, kinematics):
 
 
 def rewrite(case, file, **entries):
-    """All at once: a running program may look at any instant; and a minute
-    younger, for OpenFOAM takes only files that are 10 s younger
-    (fileModificationSkew)."""
+    """Change a file at once, since the running program may read it at any
+    instant, and give it a time one minute later, since OpenFOAM only reads
+    files again that are 10 s younger (fileModificationSkew)."""
     text = (case/file).read_text()
     for key, value in entries.items():
-        # The first: function objects follow, with intervals of their own
+        # The first change; function objects with intervals of their own follow
         text, n = re.subn(rf"\b{key}\s+[^;]*;", f"{key} {value};", text,
                           count=1)
         assert n == 1, key
@@ -519,7 +520,8 @@ def rewrite(case, file, **entries):
 
 
 def test_modified(straight, tmp_path, figures):
-    """Friction, Courant number, write interval and end, in mid-run."""
+    """Change friction, Courant number, write interval and end during the
+    run."""
     whole, _ = straight()
     case = copied(whole, tmp_path/"case")
     case.set("system/controlDict", {
@@ -555,7 +557,8 @@ def test_modified(straight, tmp_path, figures):
 @pytest.mark.parametrize("ranks", (1, 2))
 def test_modified_wrongly(straight, tmp_path, figures, ranks, file, entries,
                           named):
-    """One message, and no step is lost: the run goes on when it is mended."""
+    """A wrong change gives one message, and no step is lost: the run continues
+    when the file is corrected."""
     whole, _ = straight(NAME, ranks)
     case = copied(whole, tmp_path/"case")
     case.set("system/controlDict", {
@@ -583,8 +586,8 @@ def test_modified_wrongly(straight, tmp_path, figures, ranks, file, entries,
 
 @pytest.mark.parametrize("change", ("order", "pairs"))
 def test_pairs_modified(tmp_path, figures, change):
-    """Laws stay with the pairs that they are written at, in whatever order;
-    which pairs there are stays as it was at the start."""
+    """Laws belong to the pairs of their entries, whatever the order of the
+    entries. The pairs stay as they were at the start."""
     def block(name, x):
         return Body((2, 2), name=name, start=(x, 0.5, 0), size=(0.5, 0.5, 1),
                     velocity=(0.02, 0, 0), sides={"bottom": "contact"})
@@ -627,8 +630,8 @@ def test_pairs_modified(tmp_path, figures, change):
 
 
 def test_stop_in_the_first_step_of_friction(tmp_path, figures):
-    """A floor that jumps through a held block in the very step in which two
-    others begin to rub: the state before is written."""
+    """A floor jumps through a held block in the same step in which two other
+    bodies begin to rub: the state before this step is written."""
     sides = {"bottom": "contact", "top": condition(
         "fixedVelocity", velocity=(0, 0, 0))}
     held = Body((3, 3), name="held", start=(10, 0, 0), sides=sides)
@@ -660,7 +663,8 @@ def test_stop_in_the_first_step_of_friction(tmp_path, figures):
 @pytest.mark.parametrize("handler, folder", (
     ("collated", "processors2"), ("masterUncollated", "processor1")))
 def test_file_handlers(straight, tmp_path, figures, handler, folder):
-    """Two ranks go on from what they wrote, also into one folder."""
+    """Two ranks continue from the time that they wrote, also if all ranks
+    write into one folder."""
     whole, _ = straight(NAME, 2)
     case = copied(whole, tmp_path/"case")
     for rank in "processor0", "processor1":

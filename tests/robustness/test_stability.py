@@ -1,7 +1,7 @@
-"""What the stability map (stability.md) says: a part of its scenes, in a
-minute, with the default scheme; impacts of the paper with that of the paper.
-Bodies that rest or turn for long are in tests/verification/test_variational.py,
-too."""
+"""The claims of the stability map (stability.md): a part of its scenes, in a
+minute, with the default scheme; impacts also with the paper's scheme. Bodies
+that rest or rotate for long are also in
+tests/verification/test_variational.py."""
 
 import pytest
 
@@ -81,8 +81,8 @@ def test_default(tmp_path, figures, name):
 
 
 def test_two_cells(tmp_path, figures):
-    """Vibrations of which nothing is dissipated: a step that followed the
-    deformation would pump them (recentLeast)."""
+    """Vibrations without dissipation. A step that followed the deformation
+    would feed them energy (recentLeast)."""
     check(tmp_path/"case", figures, "vibration of 2 x 2 cells", vibration,
           {"cells": "2x2", "steps": 20000, "preset": "accurate"})
 

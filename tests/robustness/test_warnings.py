@@ -1,5 +1,5 @@
-"""What a run says of a choice that does not fit, and how it ends where it
-cannot go on."""
+"""Warnings of a run about unsuitable choices, and how a run ends when it
+cannot continue."""
 
 import numpy as np
 import pytest
@@ -20,7 +20,8 @@ BOTH = pytest.mark.parametrize("preset", (DEFAULT, PRESET))
 
 
 def log(folder, law, speed, preset, maxCo=0.5):
-    """Output of a bar that hits a wall with a speed, those of waves about 1."""
+    """Output of a bar that hits a wall at a given speed; its wave speeds are
+    about 1."""
     case = SmallCase(folder, Body(
         cells=(20,), material=LAWS[law], velocity=(-speed, 0, 0),
         sides={"left": {"type": "fixedVelocity", "velocity": (0, 0, 0)}}),
@@ -72,8 +73,8 @@ def test_few_cells(tmp_path, cells, control, scheme, warned):
 
 @pytest.mark.parametrize("preset, gains", ((PRESET, True), (DEFAULT, False)))
 def test_rise_of_energy(tmp_path, preset, gains):
-    """A block on a base as fine, under its weight: with the paper's scheme it
-    gains energy."""
+    """A block under its weight on a base with the same mesh: with the paper's
+    scheme it gains energy."""
     block = Body(cells=(4, 4), name="block", material=RUBBER,
                  sides={"bottom": "contact"})
     base = Body(cells=(8, 4), name="base", start=(-0.5, -1, 0), size=(2, 1, 1),
@@ -95,8 +96,8 @@ def test_rise_of_energy(tmp_path, preset, gains):
 
 
 def pressed(folder, gap, control=None, motion=None):
-    """A block that comes down on another one, at a start with a gap, and far
-    below an obstacle that may move."""
+    """A block that moves down onto another one, with a gap at the start, and
+    far above an obstacle that may move."""
     blocks = [Body(cells=(4, 4), name=name, start=(0, y, 0), material=RUBBER,
                    velocity=(0, v, 0), sides={side: "contact"})
               for name, y, v, side in (
@@ -118,8 +119,9 @@ def pressed(folder, gap, control=None, motion=None):
     (-0.025, None, True), (-0.025, {"velocity": (0, 0.01, 0)}, False),
     (0.01, None, False)))
 def test_contact_that_gives_energy(tmp_path, gap, motion, gives):
-    """Surfaces a tenth of a cell inside each other are pushed apart: a warning,
-    and the end if it is asked for. What obstacles that move give is right."""
+    """Surfaces that start a tenth of a cell inside each other are pushed
+    apart. The run warns, and ends if maxEnergyRise is set. Energy from moving
+    obstacles gives no warning."""
     case = pressed(tmp_path/"warned", gap, motion=motion)
     code, output = case.attempt()
     assert code == 0, output
@@ -134,7 +136,8 @@ def test_contact_that_gives_energy(tmp_path, gap, motion, gives):
 
 
 def test_contact_that_gave_before(tmp_path):
-    """A run that goes on does not end for what was given before it."""
+    """A restarted run does not end because of energy that contact gave
+    before."""
     case = pressed(tmp_path, -0.025)
     assert case.attempt()[0] == 0
     case.set("system/controlDict", {"endTime": 4.2, "maxEnergyRise": 0.05})
@@ -144,7 +147,7 @@ def test_contact_that_gave_before(tmp_path):
 
 @BOTH
 def test_linear_law_blows_up(tmp_path, preset):
-    """Numbers of a linear law stay finite for very long."""
+    """With a linear law the numbers stay finite for very long."""
     case = SmallCase(tmp_path/"case", Body(
         cells=(20,), material=ELASTIC, velocity=lambda X: 0.01*X), 50,
         control={"maxCo": 3}, preset=preset)
@@ -154,8 +157,8 @@ def test_linear_law_blows_up(tmp_path, preset):
 
 
 def test_surface_goes_through(tmp_path):
-    """Rubber bars that meet with 0.8 of their wave speed: c_p of the
-    undeformed material is too slow there."""
+    """Rubber bars meet at 0.8 of their wave speed. The wave speed c_p of the
+    undeformed material is too small there."""
     result = mach(tmp_path/"case", "40x8", 0.8, preset=PRESET)
     assert result.outcome == STOPPED
     assert "gone through" in result.why, result.why
@@ -178,7 +181,8 @@ def test_fast_impact(tmp_path, waveSpeed, speed, warned):
 
 @pytest.mark.parametrize("reconstruction", ("full", "linear"))
 def test_gain_of_energy(tmp_path, reconstruction):
-    """A block of few cells turns twenty times: full gains energy there."""
+    """A block of few cells makes twenty turns: full reconstruction gains
+    energy."""
     _, cp, _ = rubber(0.3)
     omega = 0.2*cp
     case = SmallCase(tmp_path/"case", Body(
@@ -195,8 +199,8 @@ def test_gain_of_energy(tmp_path, reconstruction):
 
 @pytest.mark.parametrize("control", ({}, {"maxEnergyRise": 1e-3}))
 def test_energies_that_are_round_off(tmp_path, control):
-    """A block that begins turned and hardly moves: its energy is round-off, of
-    either sign, and no reason for a warning."""
+    """A block that starts rotated and hardly moves. Its energy is round-off,
+    of either sign, and causes no warning."""
     case = SmallCase(tmp_path, Body(
         cells=(3, 3), material=RUBBER,
         displacement=lambda X: turned(X, (0, 0, 1), 0.4) - X,
@@ -210,7 +214,8 @@ def test_energies_that_are_round_off(tmp_path, control):
 
 @pytest.mark.parametrize("v", (0, 1e-3))
 def test_velocity_that_the_mesh_does_not_solve(tmp_path, v):
-    """In two dimensions along the third; not a word if it is zero."""
+    """In two dimensions the velocity is along the third one. There is no
+    warning if it is zero."""
     case = SmallCase(tmp_path, Body((2, 2), velocity=(0.01, 0, v)), 0.1,
                      preset=DEFAULT)
     code, output = case.attempt()
@@ -237,7 +242,8 @@ LEFT_OUT = {
 
 @pytest.mark.parametrize("what", LEFT_OUT)
 def test_loads_that_the_mesh_does_not_solve(tmp_path, what):
-    """Along the direction left out, or about another one; not a word in 3D."""
+    """The load is along the direction that is left out, or about another one.
+    In 3D there is no warning."""
     more, body = LEFT_OUT[what]
     for nDim in (2, 3):
         code, output = SmallCase(
@@ -245,13 +251,13 @@ def test_loads_that_the_mesh_does_not_solve(tmp_path, what):
             0.01, preset=DEFAULT, **more,
             control={"adjustTimeStep": "no", "deltaT": 0.001}).attempt()
         assert code == 0, output
-        assert ("of which the mesh solves" in output) == (nDim == 2), output
+        assert ("but the mesh solves only" in output) == (nDim == 2), output
 
 
 @pytest.mark.parametrize("nDim", (1, 2, 3))
 def test_metal_turned_inside_out(tmp_path, nDim):
-    """Its law has no logarithm of such a state: the run ends with what it says
-    of other laws."""
+    """The logarithm of such a state does not exist. The run ends with the same
+    message as for other laws."""
     case = SmallCase(tmp_path, Body(
         (3,)*nDim, material={**RUBBER, "type": "HenckyVonMises", "tauY": 0.05},
         velocity=(-20, 0, 0), sides={"left": condition(
@@ -263,7 +269,8 @@ def test_metal_turned_inside_out(tmp_path, nDim):
 
 
 def test_points_at_one_place(tmp_path):
-    """Two points of a cell that coincide are named, before the first step."""
+    """The error names two points of a cell that coincide, before the first
+    step."""
     def collapsed(X):
         X = np.array(X)
         X[21] = X[22]

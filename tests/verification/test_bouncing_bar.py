@@ -7,7 +7,7 @@ import numpy as np
 from vertexContactTests.caseTools import DEFAULT
 from vertexContactTests.smallCases import Body, SmallCase
 
-# Of the paper: c = 30 m/s, waves go there and back in 2/3 s
+# As in the paper: c = 30 m/s; a wave travels up and down in 2/3 s
 LENGTH, RHO, E, HEIGHT = 10, 1, 900, 5
 C = np.sqrt(E/RHO)
 BACK = 2*LENGTH/C
@@ -16,7 +16,7 @@ PLANE = {"type": "plane", "planeType": "pointAndNormal",
 
 
 def bar(folder, n, endTime, speed=0, gravity=0, **control):
-    """A bar over the plane x = 0."""
+    """A bar above the plane x = 0."""
     body = Body(cells=(n,), name="bar", start=(HEIGHT, 0, 0),
                 size=(LENGTH, 1, 1), velocity=(-speed, 0, 0),
                 material={"type": "linearElastic", "rho": RHO, "E": E,
@@ -34,8 +34,8 @@ def meanError(t, a, b):
 
 
 def test_pressure_is_that_of_a_wave(tmp_path, figures):
-    """Without gravity: the pressure is that of a wave, v sqrt(E rho), for the
-    time that waves take there and back, and the bar leaves as it came."""
+    """Without gravity the pressure is v sqrt(E rho), that of a wave, while the
+    wave travels up and down. Then the bar leaves with its initial speed."""
     speed = 10
     start = HEIGHT/speed
     errors, lost = [], []
@@ -57,10 +57,11 @@ def test_pressure_is_that_of_a_wave(tmp_path, figures):
 
 
 def exactFoot(t, gravity, speed, impacts):
-    """Place of the foot: flights between contacts of the time BACK. Every
-    second impact leaves the bar undeformed, the others with the stress of its
-    own weight, whose waves turn back and forth a whole number of times until
-    the next one: displacement of the foot by them in flight."""
+    """Position of the foot. Flights alternate with contacts of duration BACK.
+    Every second impact leaves the bar undeformed. The others leave it with the
+    stress of its own weight, whose waves travel back and forth a whole number
+    of times until the next impact. They add a displacement of the foot in
+    flight."""
     x = np.zeros_like(t)
     first = speed/gravity
     fall = t < first
@@ -71,9 +72,9 @@ def exactFoot(t, gravity, speed, impacts):
         flies = (s >= 0) & (s < 2*speed/gravity)
         x[flies] = (speed*s - 0.5*gravity*s**2)[flies]
         if i % 2 == 0:
-            # The pressure rho c g (BACK - 2 x/c) of the bar as it leaves:
-            # what of it arrives at the foot makes this velocity there,
-            # -g (BACK - 2 u)
+            # The pressure in the bar as it leaves is rho c g (BACK - 2 x/c).
+            # The part that arrives at the foot gives it the velocity -g (BACK
+            # - 2 u)
             u = np.mod(s, BACK)
             swing = gravity*(BACK*u - u**2)
             x[flies] -= swing[flies]
@@ -81,10 +82,10 @@ def exactFoot(t, gravity, speed, impacts):
 
 
 def test_ten_bounces_lose_nothing(tmp_path, figures):
-    """Under gravity: ten impacts. The next one begins where waves have just
-    come back, so that nothing is lost to vibrations. What contact takes, 0.25 %
-    each on 200 elements, makes the next flights shorter: places are compared
-    over the first four."""
+    """Ten impacts under gravity. Each begins when the waves have just come
+    back, so that no energy goes into vibrations. Contact dissipates 0.25 % per
+    impact on 200 elements, which shortens the next flights. So positions are
+    compared over the first four."""
     gravity, speed, impacts = 10, 10, 10
     T = speed/gravity + impacts*(BACK + 2*speed/gravity)
     errors, lost = [], []

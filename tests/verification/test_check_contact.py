@@ -1,5 +1,5 @@
-"""checkContact: what it measures on interfaces that are good, and what it
-fails on those that are not."""
+"""checkContact: its figures for good interfaces, and the bad interfaces for
+which it fails."""
 
 import re
 
@@ -15,7 +15,7 @@ NUMBER = r"-?\d[-+.e\d]*"
 
 
 class Checked:
-    """A run of checkContact: exit code, output, and its table."""
+    """A run of checkContact: exit code, output, and table."""
 
     def __init__(self, case, *options, ranks=1):
         command = ["checkContact", *options]
@@ -27,7 +27,7 @@ class Checked:
         self.path = case.path
 
     def __getitem__(self, name):
-        """Values of a row, one or one for each side."""
+        """Values of a row: one, or one for each side."""
         row = re.search(rf"(?m)^    {re.escape(name)}\s\s+(\S.*)$", self.log)
         return np.array([float(x) for x in re.findall(NUMBER, row[1])])
 
@@ -40,7 +40,7 @@ class Checked:
 
 
 def blocks(minusCells, plusCells, gap=0.0, height=1, **more):
-    """Two blocks with a gap along x; the second is higher, or moved."""
+    """Two blocks with a gap along x. The second one is higher, or shifted."""
     dimensions = len(minusCells)
     size = (1, *(height if i < dimensions else 1 for i in (1, 2)))
     return [Body(cells=minusCells, name="left", sides={"right": "contact"}),
@@ -54,7 +54,7 @@ def small(path, bodies, pairing, **more):
                              pairing=pairing)}, **more)
 
 
-# Interfaces that are good
+# Good interfaces
 
 GOOD = {"matching 1D": ("matching", (4,), (6,)),
         "matching 2D": ("matching", (4, 4), (3, 4)),
@@ -69,9 +69,9 @@ GAP = 0.01
 
 @pytest.mark.parametrize("name", GOOD)
 def test_good_bodies(tmp_path, figures, name):
-    """Flat surfaces of the same size: all is covered once, and constants,
-    linear fields, forces and moments cross exactly; in serial and on two
-    ranks. A line in the VTK file for each overlap."""
+    """Flat surfaces of the same size: each point is covered once, and
+    constants, linear fields, forces and moments are transferred exactly, in
+    serial and on two ranks. The VTK file has a line for each overlap."""
     pairing, minus, plus = GOOD[name]
     case = small(tmp_path, blocks(minus, plus, gap=GAP), pairing)
     serial = Checked(case, "-minCoverage", "1")
@@ -141,9 +141,9 @@ def beforeWall(path, x, normal, cells=(4, 4)):
 
 @pytest.mark.parametrize("nDim", (2, 3))
 def test_gap_of_an_edge(tmp_path, figures, nDim):
-    """The gap of an edge over a floor is along the normal of the floor, as the
-    solver has it: at the middle of the part of the first corner, a quarter of
-    a cell off the edge."""
+    """The gap between an edge and a floor is along the normal of the floor, as
+    in the solver. It is measured at the middle of the part of the first
+    corner, a quarter of a cell from the edge."""
     angle, gap, cells = 0.4, 0.01, 4
     start, size = ((0.27, gap, 0), (1, 1, 1)) if nDim == 2 else (
         (0.27, gap, 0.1), (1, 1, 0.3))
@@ -164,7 +164,7 @@ def test_gap_of_an_edge(tmp_path, figures, nDim):
 @pytest.mark.parametrize("cells", ((4,), (4, 4), (3, 3, 3)),
                          ids=("1D", "2D", "3D"))
 def test_good_obstacle(tmp_path, figures, cells):
-    """A plane close to a block: all corners are close and face it."""
+    """A plane close to a block: all corners are close to it and face it."""
     case = beforeWall(tmp_path, 1 + GAP, (-1, 0, 0), cells)
     serial = Checked(case)
     lines = serial.vtk()
@@ -188,7 +188,8 @@ def test_good_obstacle(tmp_path, figures, cells):
 
 
 def test_obstacle_far_away(tmp_path, figures):
-    """A body has not come close yet, on the right side: no failure."""
+    """A body is still far away, on the right side of the obstacle: no
+    failure."""
     run = Checked(beforeWall(tmp_path, 5, (-1, 0, 0)))
     with figures("checkContact, obstacle far away") as f:
         f.equal("exit code", run.code, 0)
@@ -197,8 +198,8 @@ def test_obstacle_far_away(tmp_path, figures):
 
 
 def test_bodies_apart(tmp_path, figures):
-    """Bodies that have not met: nothing is paired, and nothing is wrong
-    unless coverage is asked for."""
+    """Bodies that have not met yet: nothing is paired. This is a failure only
+    if a coverage is required."""
     case = small(tmp_path, blocks((4, 4), (4, 8), gap=3), "nearestFace")
     run = Checked(case)
     asked = Checked(case, "-minCoverage", "0.5")
@@ -210,12 +211,12 @@ def test_bodies_apart(tmp_path, figures):
         f.equal("failed checks", len(asked.failed), 2)
 
 
-# Interfaces that are not
+# Bad interfaces
 
 @pytest.mark.parametrize("ranks", (1, 2))
 def test_half_coverage(tmp_path, figures, ranks):
-    """The second surface is twice as high: half of it has no partner, a
-    failure if coverage is asked for."""
+    """The second surface is twice as high, so half of it has no partner: a
+    failure if a coverage is required."""
     case = small(tmp_path, blocks((4, 4), (4, 8), height=2), "AMI")
     if ranks > 1:
         case.decompose(ranks)
@@ -235,8 +236,9 @@ def test_half_coverage(tmp_path, figures, ranks):
 
 @pytest.mark.parametrize("pairing", ("matching", "AMI", "nearestFace"))
 def test_penetration(tmp_path, figures, pairing):
-    """Blocks that start 0.03 m in each other, 12 % of a face width; matching
-    measures by corners, twice their share."""
+    """Blocks that start 0.03 m inside each other, which is 12 % of a face
+    width. The pairing 'matching' measures it relative to corners, which gives
+    twice this share."""
     case = small(tmp_path, blocks((4, 4), (4, 4), gap=-0.03), pairing)
     run = Checked(case)
     allowed = Checked(case, "-maxPenetration", "0.2")
@@ -252,8 +254,9 @@ def test_penetration(tmp_path, figures, pairing):
 
 @pytest.mark.parametrize("pairing", ("matching", "AMI", "nearestFace"))
 def test_bodies_that_slid(tmp_path, figures, pairing):
-    """The second block has slid by half its height, two faces, and the gap is
-    small: pairings of the reference configuration are wrong there."""
+    """The second block has slid by half of its height, which is two faces, and
+    the gap is small: pairings of the reference configuration are wrong
+    here."""
     case = small(
         tmp_path, blocks(
             (4, 4), (4, 4), gap=GAP,
@@ -269,12 +272,13 @@ def test_bodies_that_slid(tmp_path, figures, pairing):
         f.within("coverage", run["Coverage"][0], 0.5 if follows else 1, 1e-9)
 
 
-# Position of the plane, and what its normal does: before, at and behind
+# Position of the plane, and the effect of its normal: before the body, at its
+# surface, and behind it
 @pytest.mark.parametrize("x", (1.5, 1.01, 1.0))
 @pytest.mark.parametrize("ranks", (1, 2))
 def test_obstacle_turned_round(tmp_path, figures, x, ranks):
-    """The normal of a plane points away from the body, which the run would
-    not feel at all."""
+    """The normal of a plane points away from the body. The run would not see
+    the plane at all."""
     case = beforeWall(tmp_path, x, (1, 0, 0))
     if ranks > 1:
         case.decompose(ranks)
@@ -296,9 +300,9 @@ def test_obstacle_penetrated(tmp_path, figures):
 
 
 def folded(X):
-    """A strip from x = 1 on along a curve that turns by 130 degrees to one
-    side, to the other, and back, flattened: seen along x its ends and its
-    middle cover each other, at almost the same place."""
+    """A strip from x = 1 on, along a curve that turns by 130 degrees to one
+    side, to the other side, and back. It is flattened: seen along x, its ends
+    and its middle cover each other at almost the same position."""
     s, n = X[:, 1], X[:, 0] - 1
     fine = np.linspace(0, 1, 2001)
     angle = np.pi/2 + np.radians(130)*np.sin(2*np.pi*fine)
@@ -311,8 +315,8 @@ def folded(X):
 
 @pytest.mark.parametrize("ranks", (1, 2))
 def test_folded_surface(tmp_path, figures, ranks):
-    """A surface that folds over itself lies twice opposite the other one,
-    which would feel its pressure twice."""
+    """A surface that folds over itself lies opposite the other surface twice.
+    The other surface would feel its pressure twice."""
     bodies = [Body(cells=(4, 10), name="left", sides={"right": "contact"}),
               Body(cells=(1, 80), name="right", start=(1, 0, 0),
                    size=(0.02, 1, 1), sides={"left": "contact"},
@@ -330,9 +334,9 @@ def test_folded_surface(tmp_path, figures, ranks):
 
 @pytest.mark.parametrize("gap", (0, 0.01, 0.08))
 def test_cap_in_its_hollow(tmp_path, figures, gap):
-    """Curved surfaces with different meshes, one inside the other: where
-    their gap is open they cover each other a little more than once, which is
-    no failure."""
+    """Curved surfaces with different meshes, one inside the other. Where their
+    gap is open, they cover each other slightly more than once, which is no
+    failure."""
     bulge = 0.15
     inner, outer = ([(x + bulge, 0.5, z) for z in (0, 1)]
                     for x in (1, 1 + gap))
@@ -355,7 +359,8 @@ def test_cap_in_its_hollow(tmp_path, figures, gap):
 
 
 def test_nothing_overlaps(tmp_path, figures):
-    """AMI surfaces that do not face each other: an error that names them."""
+    """AMI surfaces that do not face each other give an error that names
+    them."""
     bodies = blocks((4, 4), (4, 4))
     bodies[1].start = (1, 3, 0)
     run = Checked(small(tmp_path, bodies, "AMI"))
@@ -365,8 +370,8 @@ def test_nothing_overlaps(tmp_path, figures):
 
 
 def test_times(tmp_path, figures):
-    """Times are chosen as in OpenFOAM's utilities; without an option the one
-    that a run would start from."""
+    """Times are selected as in OpenFOAM's utilities. Without an option the
+    time is the one from which a run would start."""
     case = small(tmp_path, blocks((4, 4), (4, 4), gap=GAP), "matching").run()
     with figures("checkContact, times") as f:
         for options, times in (((), ["0.01"]), (("-latestTime",), ["0.01"]),

@@ -1,5 +1,5 @@
-"""Prescribed motions, by component, along a direction, by displacement; and
-the reactions of all patches that hold nodes."""
+"""Prescribed motions by component, along a direction, and by displacement;
+reactions of all patches that hold nodes."""
 
 import numpy as np
 import pytest
@@ -20,7 +20,7 @@ def vectors(columns, name):
 
 
 def ramp(time, value, n=200):
-    """From zero to a value within a time, without a jolt, then at rest."""
+    """A smooth rise from zero to a value within a time, then rest."""
     s = np.linspace(0, 1, n + 1)
     value = np.asarray(value, dtype=float)
     rows = [(time*x, tuple(smooth(x)*value) if value.ndim
@@ -40,9 +40,9 @@ GRAVITY = (0.001, -0.002, 0.003)
 
 
 def pressed(folder, endTime=1.5, write=None):
-    """Two blocks, one on the other, with all kinds of constraints, some at
-    the same nodes: the lower one, and the upper one, which is pressed on it and
-    pulled aside."""
+    """Two blocks with all kinds of constraints, some of them at the same
+    nodes. The upper block is pressed onto the lower one and pulled
+    sideways."""
     lower = Body(
         cells=(4, 3, 3), name="lower", material=RUBBER, sides={
             "bottom": condition("fixedVelocity", velocity=(0, 0, 0)),
@@ -69,8 +69,8 @@ def pressed(folder, endTime=1.5, write=None):
 
 @pytest.mark.parametrize("ranks", (1, 2))
 def test_momentum_balance(tmp_path, figures, ranks):
-    """Impulses of reactions, contact, tractions and gravity are the change of
-    the momentum."""
+    """The impulses of reactions, contact, tractions and gravity equal the
+    change of the momentum."""
     case = pressed(tmp_path)
     if ranks == 1:
         case.run()
@@ -79,7 +79,7 @@ def test_momentum_balance(tmp_path, figures, ranks):
     reactions, contact = reactionsOf(case), case.contact("between")
     t = case.momentum["Time"]
     assert np.array_equal(t, reactions["Time"])
-    # Of the start there is no row of the contact
+    # Contact has no row at the start
     assert np.array_equal(t[1:], contact["Time"])
     steps = np.diff(t, prepend=t[0])
     acting = (t - 0.5*steps)[:, None]
@@ -123,7 +123,7 @@ def test_momentum_balance(tmp_path, figures, ranks):
 
 @pytest.mark.parametrize("ranks", (1, 2))
 def test_restart(tmp_path, figures, ranks):
-    """To the last bit."""
+    """A restart is equal to the last bit."""
     case = pressed(tmp_path, endTime=0.6, write=0.2)
     (expected, straight), (found, again) = runAgain(
         case, ranks, lambda case, _: reactionsOf(case))
@@ -137,8 +137,9 @@ def test_restart(tmp_path, figures, ranks):
 
 
 def test_uniaxial_strain(tmp_path, figures):
-    """A block that is compressed between two planes, and at its sides slides
-    along mirrors: by displacement, theory; by the velocity of that, the same."""
+    """A block is compressed between two planes and slides along mirrors at its
+    sides. With a prescribed displacement it agrees with theory; with the
+    velocity of this displacement the result is the same."""
     nu, strain, time = 0.3, -0.02, 40
     modulus = (1 - nu)/((1 + nu)*(1 - 2*nu))
     material = {"type": "linearElastic", "rho": 1, "E": 1, "nu": nu}
@@ -203,8 +204,8 @@ def turned(angle):
 
 
 def sliding(folder, angle):
-    """A block that slides along one side, is pushed along a direction that is
-    at an angle to it, and pulled; all turned."""
+    """A block slides along one side, is pushed along a direction that is
+    oblique to this side, and is pulled. The whole scene is rotated."""
     Q = turned(angle)
     block = Body(
         cells=(6, 4), name="block", material=RUBBER, size=(1.5, 1, 1),
@@ -219,8 +220,8 @@ def sliding(folder, angle):
 
 
 def test_turned_by_45_degrees(tmp_path, figures):
-    """The same scene with all of it turned by 45 degrees, so that slip and
-    directions are along no axis."""
+    """The same scene is rotated by 45 degrees, so that slip and directions are
+    along no axis."""
     straight = sliding(tmp_path/"straight", 0)
     slanted = sliding(tmp_path/"slanted", np.pi/4)
     Q = turned(np.pi/4)
@@ -250,8 +251,8 @@ def test_turned_by_45_degrees(tmp_path, figures):
 
 
 def test_vibrating_support(tmp_path, figures):
-    """The reaction of what is shaken has its inertia: a block whose side is
-    shaken to and fro as a whole is as heavy as it is."""
+    """The reaction of a shaken side contains the inertia of the body: a block
+    whose side is shaken as a whole reacts with its mass."""
     T = 50
     motion = {"amplitude": 1, "frequency": 1/T, "scale": 1, "level": 0}
     case = small(tmp_path, Body(
@@ -274,7 +275,8 @@ def test_vibrating_support(tmp_path, figures):
 
 
 def test_rigid_regions_are_held_as_a_whole(tmp_path, figures):
-    """Their patches have no reactions; a region has one, if it is held."""
+    """The patches of rigid regions have no reactions. A rigid region has one,
+    if it is held."""
     block = Body(cells=(3, 3), name="block", sides={
         "left": condition("fixedVelocity", velocity=(0, 0, 0))})
     plate = Body(cells=(2, 2), name="plate", start=(2, 0, 0),
@@ -298,9 +300,9 @@ def test_rigid_regions_are_held_as_a_whole(tmp_path, figures):
     (60, 2, "neoHookean"), (120, 2, "neoHookean"), (60, 2, "HenckyVonMises"),
     (60, 3, "neoHookean")))
 def test_mirrors_at_an_angle(tmp_path, figures, angle, nDim, law):
-    """A kite between two mirrors, alike on either side of the line between
-    them, stays so, whichever mirror comes first: each has an image of the
-    other."""
+    """A kite between two mirrors is symmetric about the line between them. It
+    stays symmetric, whichever mirror comes first: each mirror sees an image of
+    the other."""
     half = np.radians(angle)/2
     tip = np.array((np.cos(half), np.sin(half)))/max(np.cos(half), 0.5)
     sides = np.array((1, 0)), np.array((np.cos(2*half), np.sin(2*half)))
@@ -329,7 +331,7 @@ def test_mirrors_at_an_angle(tmp_path, figures, angle, nDim, law):
 
 
 class Joined(Body):
-    """Left and bottom sides are one patch."""
+    """A body whose left and bottom sides are one patch."""
 
     def boundary(self, faces):
         each = super().boundary(faces)

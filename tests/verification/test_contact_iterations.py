@@ -1,5 +1,5 @@
-"""contactIterations: contact that is solved again with the velocities that its
-own forces make."""
+"""contactIterations: contact is solved again with the velocities that its own
+forces cause."""
 
 import numpy as np
 import pytest
@@ -12,7 +12,7 @@ from vertexContactTests.smallCases import (FLOOR, Body, GmshBody, SmallCase,
 
 
 def pressed(folder, iterations):
-    """A block at rest on a base of three times finer mesh."""
+    """A block at rest on a base with a three times finer mesh."""
     block = Body((2, 2), name="block", sides={
         "bottom": "contact",
         "top": condition("traction", traction=(0, -0.05, 0))})
@@ -27,7 +27,7 @@ def pressed(folder, iterations):
 
 
 def test_less_penetration(tmp_path, figures):
-    """Surfaces that are pressed are less inside each other with each."""
+    """Pressed surfaces penetrate less with each iteration."""
     runs = [pressed(tmp_path/f"{n}", n) for n in (1, 2, 4)]
     depths = [run.contact("contact")["penetration"][-1] for run in runs]
     with figures("contactIterations 1, 2, 4, a block at rest") as f:
@@ -40,8 +40,8 @@ def test_less_penetration(tmp_path, figures):
 
 
 def test_point_by_point(tmp_path, figures):
-    """Where each node touches one other node one solution is exact, also of
-    what slips."""
+    """If each node touches one other node, one solution is exact, also for
+    slipping nodes."""
     runs = []
     for n in 1, 2, 3, 4:
         bars = [Body((8, 2), name=name, start=(start, 0, 0), size=(1, 0.25, 1),
@@ -70,7 +70,8 @@ def test_point_by_point(tmp_path, figures):
 
 @pytest.mark.parametrize("places", PLACES)
 def test_ranks(tmp_path, figures, places):
-    """With friction, many surfaces, and a floor under two of the blocks."""
+    """The scene has friction, many surfaces, and a floor under two of the
+    blocks."""
     def case(name, iterations):
         bodies = squares()
         bodies[0].velocity = (2, 4, 0)
@@ -99,8 +100,8 @@ def test_ranks(tmp_path, figures, places):
 
 @pytest.mark.parametrize("own", ("no", "yes"))
 def test_rigid(tmp_path, figures, own):
-    """A rigid tool with friction, also with steps of their own: on two ranks
-    as on one, and contact takes energy."""
+    """A rigid tool with friction, also with subCycling. Two ranks give the
+    result of one, and contact dissipates energy."""
     control = {"contactIterations": 2, "subCycling": own}
     one = toolAndBlock(tmp_path/"one", control=control)
     two = toolAndBlock(tmp_path/"two", ranks=2, control=control)
@@ -119,7 +120,7 @@ def test_rigid(tmp_path, figures, own):
 
 
 def box(patches):
-    """Its bottom is two rectangles, and as many patches."""
+    """A box whose bottom is two rectangles, in one or two patches."""
     def within(name, *corners):
         return (f"{name}() = Surface In BoundingBox{{"
                 f"{', '.join(str(c) for c in corners)}}};\n")
@@ -150,8 +151,9 @@ Physical Volume("all") = {{1, 2}};
 @pytest.mark.parametrize("iterations", (1, 2))
 @pytest.mark.parametrize("on", ("plane", "body"))
 def test_seam(tmp_path, figures, on, iterations):
-    """A box falls on its bottom, which is one patch or two: nodes between both
-    are pushed once. On a body each patch is paired at its own times."""
+    """A box falls on its bottom, which has one or two patches. Nodes between
+    both patches are pushed once. If the other side is a body, each patch is
+    paired at its own times."""
     base = Body((3, 2, 3), name="base", start=(-0.25, -1, -0.25),
                 size=(1.5, 1, 1.5), sides={"top": "contact"})
 

@@ -23,8 +23,8 @@ V, CENTRE, WIDTH = 0.01, 0.5, 0.1
 
 
 def pulse(sign):
-    """A velocity pulse that moves to the right, sigma = -rho c v, from
-    D = f(x - c t): compressive for the sign +."""
+    """A velocity pulse D = f(x - c t) that moves to the right, with sigma =
+    -rho c v. It is compressive for the sign +."""
     def velocity(X):
         return sign*V*np.exp(-((X[:, :1] - CENTRE)/WIDTH)**2)*(1, 0, 0)
 
@@ -35,7 +35,7 @@ def pulse(sign):
 
 
 def twoBars(n, dimensions=1, right=ELASTIC, **more):
-    """Bars from x = 0 to 1 and from 1 to 2."""
+    """Two bars, from x = 0 to 1 and from 1 to 2."""
     cells = (n, n, n)[:dimensions]
     return (Body(cells=cells, name="left", material=ELASTIC,
                  sides={"right": "contact"}, **more),
@@ -49,8 +49,8 @@ def tied():
 
 @pytest.mark.parametrize("sign", (1, -1), ids=("compression", "tension"))
 def test_tied_bars(tmp_path, figures, sign):
-    """A pulse crosses the tie of two bars of one material as if they were
-    one bar, in compression and in tension; nothing is reflected."""
+    """A pulse crosses the tie between two bars of one material as if they were
+    one bar, in compression and in tension. Nothing is reflected."""
     n = 100
     whole = Body(cells=(2*n,), name="whole", size=(2, 1, 1),
                  material=ELASTIC, **pulse(sign))
@@ -60,7 +60,7 @@ def test_tied_bars(tmp_path, figures, sign):
     x, one = case.X("whole")[:, 0], case.at("pointU", region="whole")
 
     def at(points, values):
-        """Values of the points of one corner of the bar, by x."""
+        """Values at the points on one corner line of the bar, sorted by x."""
         order = np.argsort(points, kind="stable")
         return points[order][::4], values[order][::4]
     xl, vl = at(case.X("left")[:, 0], left[:, 0])
@@ -84,14 +84,15 @@ def test_tied_bars(tmp_path, figures, sign):
 
 
 def test_tied_dissimilar(tmp_path, figures):
-    """A pulse at the tie to a bar of impedance z2 = 4 z1: v passed is
-    2 z1/(z1 + z2) = 0.4 of it, reflected (z1 - z2)/(z1 + z2) = -0.6."""
+    """A pulse at the tie to a bar of impedance z2 = 4 z1: v transmitted is 2
+    z1/(z1 + z2) = 0.4 of the incident v, v reflected is (z1 - z2)/(z1 + z2) =
+    -0.6 of it."""
     stiff = {**ELASTIC, "E": 16}
     left, right = twoBars(200, right=stiff, **pulse(1))
     case = SmallCase(tmp_path, (left, right), endTime=1, interfaces=tied(),
                      probes={"passed": ("right", (1.3, 0, 0)),
                              "back": ("left", (0.5, 0, 0))}).run()
-    # Until the pulse that passed comes back from the other end
+    # Until the transmitted pulse returns from the other end
     t, passed = case.probe("passed", "pointU")
     passed = passed[t < 0.75]
     t, back = case.probe("back", "pointU")
@@ -101,8 +102,8 @@ def test_tied_dissimilar(tmp_path, figures):
 
 
 def test_tied_blocks(tmp_path, figures):
-    """Two tied 2D blocks are one block of double length, up to the error of
-    the mesh, which falls with it."""
+    """Two tied 2D blocks behave as one block of double length, up to the error
+    of the mesh, which falls with the cell size."""
     def velocity(X):
         x, y = np.pi*X[:, 0]/2, np.pi*X[:, 1]
         return 0.1*np.stack((np.cos(x)*(1 + 0.3*np.cos(y)),
@@ -131,7 +132,7 @@ def test_tied_blocks(tmp_path, figures):
                  differences[-1], 0.02)
 
 
-# A block on a base, its weight in equilibrium from the start
+# A block on a base; its weight is in equilibrium from the start
 
 HEIGHT, LENGTH, WEIGHT = 0.5, 2, 0.02
 
@@ -157,7 +158,7 @@ def between(law):
 
 
 def slidWay(case):
-    """Mean slip at the end, between the nodes of both surfaces."""
+    """Mean slip at the end between the nodes of both surfaces."""
     def meanShift(region):
         on = np.abs(case.X(region)[:, 1] - HEIGHT) < 1e-9
         return case.at("pointD", region=region)[on, 0].mean()
@@ -165,11 +166,11 @@ def slidWay(case):
 
 
 def test_sliding_stops_as_friction_says(tmp_path, figures):
-    """A block slides on a base with friction k: its momentum falls by k
-    times its weight in time, until it stops at t = v/(k g); the energy that
-    contact takes is the friction force times the slip (pressure and slip are
-    not uniform, which makes 5 % of it); and the energy, less the work of the
-    weight, never grows."""
+    """A block slides on a base with friction k. Its momentum falls by k times
+    its weight per time, until it stops at t = v/(k g). The energy that contact
+    dissipates is the friction force times the slip (pressure and slip are not
+    uniform, which accounts for 5 % of it). The energy minus the work of the
+    weight never grows."""
     k, speed = 0.3, 0.06
     case = SmallCase(
         tmp_path, stack((speed, 0, 0)), endTime=14, gravity=(0, -WEIGHT, 0),
@@ -206,8 +207,8 @@ def test_sliding_stops_as_friction_says(tmp_path, figures):
 
 @pytest.mark.parametrize("tilt", (0.1, 0.5))
 def test_slope_of_the_angle_of_friction(tmp_path, figures, tilt):
-    """Gravity with a part tilt x g along the base: below k the block stays
-    where it is, above it slides with the acceleration (tilt - k) g."""
+    """Gravity with a component of tilt x g along the base: below k the block
+    stays where it is, above k it slides with the acceleration (tilt - k) g."""
     k, T = 0.3, 12
     case = SmallCase(
         tmp_path, stack(), endTime=T, gravity=(tilt*WEIGHT, -WEIGHT, 0),
@@ -229,10 +230,11 @@ def test_slope_of_the_angle_of_friction(tmp_path, figures, tilt):
 
 def test_stick_slip_wave(tmp_path, figures):
     """A plane shear wave meets the interface of two equal layers under the
-    pressure p. Exact: it passes as it is while its traction rho c_s v is below
-    k p, then the surfaces slip and k p passes, and they stick again as it
-    falls: the wave that passes is the incident one cut off at k p/(rho c_s).
-    The layers are so wide that their free ends are not felt in the middle."""
+    pressure p. In the exact solution it passes unchanged while its traction
+    rho c_s v is below k p. Above, the surfaces slip and transmit k p; they
+    stick again as the traction falls. So the transmitted wave is the incident
+    one cut off at k p/(rho c_s). The layers are so wide that their free ends
+    have no effect in the middle."""
     k, V, width, centre, pressure = 0.3, 0.01, 0.08, -0.4, 0.01
     cs = np.sqrt(0.5)
     cut = k*pressure/cs                 # 0.42 V
@@ -290,8 +292,8 @@ def test_stick_slip_wave(tmp_path, figures):
 
 
 def test_rest_under_gravity(tmp_path, figures):
-    """Gravity set on at once: the block bounces in itself, does not sink in,
-    and the mean force is its weight."""
+    """Gravity acts suddenly: the block vibrates but does not sink in, and the
+    mean force is its weight."""
     case = SmallCase(
         tmp_path, stack(settled=False), endTime=24,
         gravity=(0, -WEIGHT, 0), interfaces=between("frictionless"),
@@ -337,9 +339,10 @@ LAWS = {"frictionless": "frictionless", "friction": coulomb(0.3),
 @pytest.mark.parametrize("law", LAWS.values(), ids=LAWS.keys())
 @pytest.mark.parametrize("dimensions", (1, 2, 3))
 def test_impulses_are_opposite(tmp_path, figures, dimensions, law):
-    """Oblique impact of two free blocks with a gap at first: total linear
-    momentum is kept; the impulses of contact are opposite, and each is the
-    change of momentum of its body; energy does not grow by contact."""
+    """Oblique impact of two free blocks with an initial gap: total linear
+    momentum is conserved. The impulses of contact are opposite, and each
+    equals the change of momentum of its body. Contact does not increase the
+    energy."""
     case = SmallCase(
         tmp_path, blocks(dimensions, gap=0.01), endTime=6,
         interfaces=collision(law), functions=("contactForces",)).run()
@@ -374,8 +377,8 @@ def test_impulses_are_opposite(tmp_path, figures, dimensions, law):
 
 
 def test_zero_friction_is_frictionless(tmp_path, figures):
-    """Coulomb's law with k = 0 gives the same fields, to the round-off of the
-    dissipation that is summed up."""
+    """Coulomb's law with k = 0 gives the same fields as frictionless, to the
+    round-off of the summed dissipation."""
     cases = [SmallCase(tmp_path/name, blocks(2), endTime=2,
                        interfaces=collision(law)).run()
              for name, law in (("zero", coulomb(0)),
@@ -398,8 +401,8 @@ SPEEDS = {"parting": ((-0.2, 0, 0), (0.1, 0, 0)),
 @pytest.mark.parametrize("dimensions", (1, 2, 3))
 @pytest.mark.parametrize("motion", SPEEDS)
 def test_no_contact(tmp_path, figures, dimensions, motion):
-    """Bodies that part from a zero gap, that pass each other across a gap of
-    a hundredth of a cell, or approach but do not meet: nothing happens."""
+    """Bodies that separate from a zero gap, pass each other at a distance of a
+    hundredth of a cell, or approach without touching: no contact acts."""
     gap = {"parting": 0, "passing": 0.002, "not there yet": 0.11}[motion]
     bodies = blocks(dimensions, gap=gap, speeds=SPEEDS[motion])
     case = SmallCase(tmp_path, bodies, endTime=1,
@@ -414,9 +417,9 @@ def test_no_contact(tmp_path, figures, dimensions, motion):
 
 
 def test_row_of_bars(tmp_path, figures):
-    """Three equal bars that touch, the last two at rest: the velocity of the
-    first goes to the last, through two interfaces at one body. The last
-    leaves at 3 L/c; the first two stay as they are, at rest."""
+    """Three equal bars touch, and the last two are at rest: the velocity of
+    the first bar goes to the last one, through the two interfaces of the
+    middle one. The last bar leaves at 3 L/c; the first two remain at rest."""
     n = 200
     bars = [Body(cells=(n,), name=f"bar{i}", start=(i, 0, 0),
                  material=ELASTIC, velocity=(V*(i == 0), 0, 0),
@@ -441,8 +444,8 @@ def test_row_of_bars(tmp_path, figures):
 
 
 def test_curved_surfaces(tmp_path, figures):
-    """Matching curved surfaces, a cap that moves into its hollow along x:
-    all corners are paired, and the impact stays symmetric about the axis."""
+    """Matching curved surfaces: a cap moves into its hollow along x. All
+    corners are paired, and the impact stays symmetric about the axis."""
     n, bulge, gap = 8, 0.15, 0.01
 
     right, left = ([(x + bulge, 0.5, z) for z in (0, 1)]

@@ -15,10 +15,10 @@ SCHEMES = {"default": {}, "linear": {"reconstruction": "linear"},
            "Venkatakrishnan": {"limiter": "Venkatakrishnan"}}
 THREE = {name: SCHEMES[name] for name in ("default", "linear", "unlimited")}
 
-# Least order from mesh to mesh. The default limiter clips the averages at
-# mid-edge around smooth extrema, a change by O(h^2) from one node to the next,
-# and is of less than second order in waves; Venkatakrishnan clips them, too.
-# Meshes in 3D are coarse: 1.79 there.
+# Least order between two meshes. The default limiter clips the averages at
+# mid-edge near smooth extrema. This changes them by O(h^2) from one node to
+# the next, so waves have less than second order. Venkatakrishnan clips them,
+# too. Meshes in 3D are coarse: the order is 1.79 there.
 SECOND = 1.75
 LEAST = {"default": 1.3, "linear": SECOND, "unlimited": SECOND,
          "Venkatakrishnan": 1.6}
@@ -32,7 +32,7 @@ def material(law):
 
 
 def components(S):
-    """Of a symmetric tensor, in OpenFOAM's order."""
+    """Components of a symmetric tensor in OpenFOAM's order."""
     return S[:, (0, 0, 0, 1, 1, 2), (0, 1, 2, 1, 2, 2)]
 
 
@@ -55,8 +55,8 @@ def largeStress(F):
 
 @dataclass
 class Products:
-    """Displacement of separate variables: component i is
-    amplitude_i sin(own_i X_i) prod_(j != i) cos(other_j X_j), times h(t)."""
+    """A displacement with separate variables: component i is amplitude_i
+    sin(own_i X_i) prod_(j != i) cos(other_j X_j), times h(t)."""
 
     amplitude: np.ndarray
     own: np.ndarray
@@ -65,13 +65,13 @@ class Products:
     standing: bool = True       # h = sin(omega t)/omega, else cos(omega t)
 
     def time(self, t):
-        """h and its rate."""
+        """h and its time derivative."""
         w = self.omega
         return ((np.sin(w*t)/w, np.cos(w*t)) if self.standing
                 else (np.cos(w*t), -w*np.sin(w*t)))
 
     def shape(self, X):
-        """Displacement and gradient at h = 1."""
+        """Displacement and its gradient for h = 1."""
         u, G = np.zeros((len(X), 3)), np.zeros((len(X), 3, 3))
         for i in np.flatnonzero(self.amplitude):
             k, s = self.own[i], self.other
@@ -107,7 +107,7 @@ def standingWave(kind, dimensions):
 
 
 def manufactured(dimensions):
-    """The deformation of manufacturedSolution, F from 0.67 to 1.32."""
+    """The deformation of manufacturedSolution, with F from 0.67 to 1.32."""
     inside = np.arange(3) < dimensions
     return Products(np.array((0.1, -0.08, 0.06))*inside, np.pi*inside,
                     np.pi/2*inside, 2, standing=False)
@@ -115,8 +115,8 @@ def manufactured(dimensions):
 
 @dataclass
 class Travelling:
-    """Pressure wave of one metre along x, in a frame that is turned: rows of
-    axes are the directions of the frame."""
+    """Pressure wave of one metre along x in a rotated frame. The rows of axes
+    are the directions of the frame."""
 
     axes: np.ndarray
     wave: float = 2*np.pi
@@ -140,8 +140,8 @@ class Travelling:
 # Errors
 
 def meanSquare(values, X, start, size, dimensions):
-    """Mean over the volume: a node on a side of the block has half of the
-    volume of one inside, that on an edge a quarter."""
+    """Mean square over the volume: a node on a side of the block has half of
+    the volume of an inner node, a node on an edge a quarter."""
     s = (X - start)/size
     sides = (np.abs(s) < 1e-9) | (np.abs(s - 1) < 1e-9)
     weight = 0.5**sides[:, :dimensions].sum(axis=1)
@@ -149,9 +149,9 @@ def meanSquare(values, X, start, size, dimensions):
 
 
 def errors(case, body, exact, stress, grid):
-    """Relative L2 errors in space and time of v, D, F and sigma. In time,
-    because errors of phase and amplitude cancel at some instants. The grid
-    says where points are before they are moved."""
+    """Relative L2 errors in space and time of v, D, F and sigma. Time is
+    included because errors of phase and amplitude cancel at some instants. The
+    grid has the positions of the points before they are moved."""
     X = case.X(body.name)
     names = {"v": "pointU", "D": "pointD", "F": "F", "sigma": "sigma"}
     squares = {name: [0, 0] for name in names}
@@ -175,13 +175,13 @@ def orders(meshes, values):
 
 
 def bounds(scheme, **others):
-    """Bounds of the orders of v and sigma of a scheme, and of others."""
+    """Least orders of v and sigma for a scheme, and of other fields."""
     return {"v": LEAST[scheme], "sigma": LEAST[scheme], **others}
 
 
 def record(figures, what, meshes, found, least):
-    """Errors on all meshes and the least order from one to the next; least:
-    field to bound."""
+    """Errors on all meshes, and the least order between two meshes. 'least'
+    gives the bound by field."""
     for name, bound in least.items():
         values = [onMesh[name] for onMesh in found]
         figures.falling(f"{what}, {name}: errors", values)
@@ -190,7 +190,8 @@ def record(figures, what, meshes, found, least):
 
 
 def compare(figures, found, fields, factor):
-    """Clipping must not cost more than a factor on the finest mesh."""
+    """Clipping must not increase the error on the finest mesh by more than a
+    factor."""
     for name in fields:
         figures.atMost(
             f"{name}: error of default / unlimited, finest",
@@ -217,8 +218,8 @@ def study(folder, meshes, bodiesOf, endTime, exactOf, stress, **more):
     (2, (16, 32, 64)), (3, (10, 14, 18))))
 @pytest.mark.parametrize("kind", ("P", "S"))
 def test_standing_wave(tmp_path, figures, kind, dimensions, meshes):
-    """A pressure or shear wave between mirrors, in all directions of the
-    mesh, for half a period."""
+    """A pressure or shear wave between mirrors, in all directions of the mesh,
+    for half a period."""
     wave = standingWave(kind, dimensions)
     schemes = SCHEMES if dimensions == 2 else THREE
 
@@ -238,7 +239,7 @@ def test_standing_wave(tmp_path, figures, kind, dimensions, meshes):
 
 
 def turned(degrees):
-    """Axes turned about z."""
+    """Axes rotated about z."""
     c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
     return np.array(((c, s, 0), (-s, c, 0), (0, 0, 1)))
 
@@ -246,8 +247,9 @@ def turned(degrees):
 @pytest.mark.parametrize("dimensions, meshes", (
     (2, (16, 32, 64)), (3, (16, 24, 32))))
 def test_travelling_wave(tmp_path, figures, dimensions, meshes):
-    """A pressure wave enters by a velocity, leaves by a traction, and slides
-    along mirrors, on a mesh along the axes and on one turned by 30 degrees."""
+    """A pressure wave is driven by a velocity, leaves by a traction, and
+    slides along mirrors, on a mesh along the axes and on one rotated by 30
+    degrees."""
     waves = {"": Travelling(turned(0)), "Turned": Travelling(turned(30))}
     schemes = SCHEMES if dimensions == 2 else THREE
 
@@ -294,15 +296,15 @@ def test_travelling_wave(tmp_path, figures, dimensions, meshes):
 
 @pytest.fixture(scope="module")
 def manufacturedSolution():
-    """The library with its body force."""
+    """The library with the body force of the solution."""
     checked(["wmake", "-s", "libso",
              "tests/verification/manufacturedSolution"], caseTools.root)
 
 
 def underForce(n, motion, name, scheme, moved=None):
-    """A body that follows the manufactured motion. F is given: the scheme's
-    own, from the displacement, is of first order on the clamped sides, and
-    what is wrong with it in the beginning remains."""
+    """A body that follows the manufactured motion. F is prescribed at the
+    start, since the scheme's own F from the displacement has first order on
+    the clamped sides, and this initial error would remain."""
     dimensions = np.count_nonzero(motion.amplitude)
     clamp = condition("fixedVelocity", velocity=(0, 0, 0))
     return Body(
@@ -328,7 +330,7 @@ def manufacturedStudy(folder, dimensions, meshes, schemes, moved=None):
 
 
 def manufacturedBounds(scheme):
-    """F is one-sided at the walls, and of first order there."""
+    """F is one-sided at the walls, and has first order there."""
     return bounds(scheme, D=SECOND, F=1.5, sigma=1.5)
 
 
@@ -336,7 +338,7 @@ def manufacturedBounds(scheme):
     (2, (16, 32, 64)), (3, (8, 12, 16))))
 def test_manufactured_solution(tmp_path, figures, manufacturedSolution,
                                dimensions, meshes):
-    """Large deformation, with strains of 30 %, between mirrors and rigid
+    """Large deformation with strains of 30 %, between mirrors and rigid
     walls."""
     found = manufacturedStudy(tmp_path, dimensions, meshes, THREE)
     with figures(f"manufactured solution, {dimensions}D {meshes}") as f:

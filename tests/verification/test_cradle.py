@@ -12,8 +12,8 @@ CRADLE = {mesh: Tutorial("newtonsCradle", mesh, preset=DEFAULT)
 
 
 def checkCradle(case, figures, title, late, atEnd, peak, release):
-    """Tolerances: of velocities at any time and at the end, of peak forces,
-    of the time of the last release."""
+    """Limits: for velocities at any time and at the end, for peak forces, and
+    for the time of the last release."""
     times, v = hertzChain.velocities(case.path)
     forces = hertzChain.contactForces(case.path)
     t, chain, F = hertzChain.chain(times[-1], finite=True)
@@ -29,7 +29,7 @@ def checkCradle(case, figures, title, late, atEnd, peak, release):
                      ours.max()/F[:, i - 1].max(), 1, peak)
         f.within("last release / chain",
                  forces[4][0][-1]/t[F[:, 3] > 0][-1], 1, release)
-        # Hertz's half spaces leave it more
+        # With Hertz's half spaces it keeps more of the velocity
         f.atMost("velocity of the fourth / chain of Hertz",
                  v[-1, 3]/hertzChain.chain(times[-1])[1][-1, 3], 0.85)
         f.atMost("energy lost / initial", 1 - E[-1]/E[0], 0.01)

@@ -1,5 +1,5 @@
-"""Contact of curved surfaces, whose faces are flat and do not match: two rings,
-one in the other."""
+"""Contact of curved surfaces, whose faces are flat and do not match: two
+rings, one inside the other."""
 
 from dataclasses import dataclass
 
@@ -16,20 +16,20 @@ CONTROL = {"maxCo": 0.9}
 
 
 def pressure(p, time):
-    """That rises within a time, without a jolt."""
+    """A pressure that rises smoothly within a time."""
     s = np.linspace(0, 1, 101)
     return condition("pressure", pressure=table(
         *zip(time*s, p*smooth(s))))
 
 
 def between(k=0, **more):
-    """The interface of both rings, with friction or not."""
+    """The interface between both rings, with or without friction."""
     return {"contact": interface(("inner", "right"), ("outer", "left"),
                                  friction(k), pairing="nearestFace", **more)}
 
 
 def quarter(name, a, b, n, around, **sides):
-    """Of a ring, between mirrors."""
+    """A quarter of a ring between mirrors."""
     return Body((n, around), name=name, start=(a, 0, 0),
                 size=(b - a, np.pi/2, 1), moved=polar,
                 sides={"bottom": "symmetryPlane", "top": "symmetryPlane",
@@ -37,7 +37,7 @@ def quarter(name, a, b, n, around, **sides):
 
 
 def squeezed(folder, bodies, interfaces=None):
-    """By a sixth of their radius."""
+    """The rings are compressed by a sixth of their radius."""
     T = 40
     for body in bodies:
         if body.name != "inner":
@@ -47,7 +47,7 @@ def squeezed(folder, bodies, interfaces=None):
 
 
 def inwards(case, region):
-    """Of the nodes on the middle radius."""
+    """Radial displacement of the nodes on the middle radius, inwards."""
     X, D = case.X(region), case.at("pointD", region=region)
     r = np.hypot(X[:, 0], X[:, 1])
     there = np.abs(r - MIDDLE) < 1e-6
@@ -55,8 +55,9 @@ def inwards(case, region):
 
 
 def test_curved_patch(tmp_path, figures):
-    """Uniform pressure on the outer one: the errors of the displacement of
-    both surfaces, and how uneven it is, fall with the square of h."""
+    """Uniform pressure on the outer ring: the errors of the displacement of
+    both surfaces, and the unevenness of the displacement, fall with the square
+    of h."""
     whole = squeezed(tmp_path/"whole", [quarter("ring", INNER, OUTER, 24, 96)])
     exact = inwards(whole, "ring").mean()
     errors = []
@@ -80,7 +81,7 @@ def test_curved_patch(tmp_path, figures):
 
 @dataclass
 class Ring(Body):
-    """A whole ring; cells through and around it, size: its radii."""
+    """A whole ring. The cells are through and around it; size is its radii."""
 
     def mesh(self):
         n, around = self.cells
@@ -108,7 +109,7 @@ class Ring(Body):
 
 
 def round_(X):
-    """Of rings that are squares on their corners."""
+    """Rings from squares that stand on their corners."""
     x, y = X[:, 0], X[:, 1]
     r = np.abs(x) + np.abs(y)
     s = np.where(y >= 0, np.where(x >= 0, y, 2*r - y),
@@ -118,7 +119,7 @@ def round_(X):
 
 
 def turning(folder, n, **more):
-    """The inner ring turns in the outer one, which is pressed on it."""
+    """The inner ring rotates in the outer one, which is pressed onto it."""
     spin, T = 0.1, 60
     return SmallCase(
         folder,
@@ -131,10 +132,10 @@ def turning(folder, n, **more):
 
 
 def test_turning_in_each_other(tmp_path, figures):
-    """Nearly a turn without friction. Faces that pass each other take a little
-    of the spin, and give none, however far they slide between two pairings.
-    The change of the angular momentum is that of the load: a ring alone under
-    the pressure has 1e-6 of it."""
+    """Almost one turn without friction. Faces that pass each other reduce the
+    spin slightly and never increase it, however far they slide between two
+    pairings. The change of the angular momentum is that of the load: a single
+    ring under the pressure has 1e-6 of it."""
     lost = {}
     with figures("a ring turns in another one") as f:
         for n in 4, 8:
@@ -160,7 +161,8 @@ def test_turning_in_each_other(tmp_path, figures):
 
 @pytest.mark.parametrize("k", (0.1, 0.5))
 def test_turning_with_friction(tmp_path, figures, k):
-    """What friction takes is what contact takes, but for a few per cent."""
+    """The energy that friction dissipates is the energy that contact
+    dissipates, up to a few per cent."""
     case = turning(tmp_path, 8, k=k)
     e = case.energies
     friction = e["total:frictionDissipation"][-1]

@@ -12,8 +12,8 @@ DISCS = Tutorial("hundredDiscs", "2", preset=DEFAULT,
 
 @pytest.mark.scenes(DISCS)
 def test_weight_and_momentum_of_a_heap(run, figures):
-    """Momentum, energy and weight of a heap; no disc in another or in the
-    box."""
+    """Momentum, energy and weight of a heap. No disc is inside another one or
+    in the box."""
     case = run(DISCS)
     _, parts = heap.ledger(case.path)
     gone, *others = parts.values()

@@ -21,7 +21,7 @@ def floor(case):
 
 
 def away(case):
-    """Velocity at the end / at the start, upwards."""
+    """Velocity at the end over the velocity at the start, upwards."""
     p = case.momentum["total:pz"]
     return -p[-1]/p[0]
 
@@ -48,8 +48,8 @@ def test_drop(run, figures, scene, peak):
 
 @pytest.mark.scenes(ELASTIC, RIGID)
 def test_rigid_as_elastic(run, figures):
-    """A stiff box may be rigid: that has no stress, and a tenth of the steps,
-    since the rubber sets them."""
+    """The stiff box may be rigid. It then has no stress, and needs a tenth of
+    the steps, since the rubber determines the step."""
     elastic, rigid = run(ELASTIC), run(RIGID)
     peaks = table(elastic.path, "peaks", "extremes.dat")
     stress = peaks["box:sigmaEq:max"]
@@ -68,8 +68,9 @@ def test_rigid_as_elastic(run, figures):
 
 @pytest.mark.scenes(ELASTIC, OWN_STEPS)
 def test_steps_of_their_own(run, figures):
-    """With subCycling, rubber and box each with the step that it can take, as
-    with one step: its longer steps in the rubber take a little more energy."""
+    """With subCycling, rubber and box each take their own stable step. The
+    result is that of one step, but the longer steps of the rubber dissipate
+    slightly more energy."""
     one, own = run(ELASTIC), run(OWN_STEPS)
     F, t = ([floor(case)[name] for case in (own, one)]
             for name in ("bumper.bottom:Fz", "Time"))

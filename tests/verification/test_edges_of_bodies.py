@@ -1,5 +1,5 @@
-"""Edges and vertices of bodies in contact: contact without friction with what
-stands still does no work, and takes energy or keeps it."""
+"""Edges and vertices of bodies in contact: without friction, contact with a
+body at rest does no work, and dissipates or conserves energy."""
 
 import numpy as np
 import pytest
@@ -11,7 +11,7 @@ from vertexContactTests.smallCases import (ELASTIC, FLOOR, RUBBER, SIDES, Body,
 
 
 def onto(direction):
-    """Rotation that makes a direction the vertical one."""
+    """Rotation that turns a direction into the vertical one."""
     a = np.array(direction)/np.linalg.norm(direction)
     b = np.array((0, 1, 0))
     v, c = np.cross(a, b), a @ b
@@ -33,7 +33,7 @@ def finished(case):
     (2, (1, 1, 0), 0.05), (3, (1, 1, 0), 0.05), (3, (1, 1, 1), 0.01),
     (3, (1, 1, 1), 0.2)), ids=("corner", "edge", "vertex", "fast vertex"))
 def test_falls_on_its(tmp_path, figures, nDim, direction, speed):
-    """A block on a plane: what pushes at a node is what its whole surface
+    """A block falls on a plane: the force at a node is what its whole surface
     gives along the normal of the plane."""
     R = onto(direction)
     case = finished(SmallCase(tmp_path, Body(
@@ -56,9 +56,9 @@ def test_falls_on_its(tmp_path, figures, nDim, direction, speed):
     (4, (0.02, 0.02), 0), (4, (0.02, 0.02), 0.05), (4, (0.03, 0.02), 0),
     (8, (0.02, 0.02), 0), (4, (0.02, 0), -0.01)))
 def test_corner_meets_corner(tmp_path, figures, cells, speeds, apart):
-    """Blocks that no faces of are opposite before they are inside each other.
-    They were found when they were half of a cell inside, and left with seven
-    times their energy."""
+    """Blocks without opposite faces until they are inside each other. Earlier
+    they were found when half a cell inside, and separated with seven times
+    their energy."""
     sides = sidesOf(2)
     blocks = (
         Body((cells, cells), name="a", start=(1, 0, 0),
@@ -85,10 +85,10 @@ WEDGES = (
 
 @pytest.mark.parametrize("nDim, slope, base, more", WEDGES)
 def test_wedge_meets_face(tmp_path, figures, nDim, slope, base, more):
-    """A wedge of few cells, in 3D a pyramid, falls on a face with its tip. It
-    touches with the tip, between the points of its overlaps. Where these were
-    pressed as a whole or not at all it was 0.4 of a cell inside before the
-    next pairing saw that, and left with two to six times its energy."""
+    """A wedge of few cells, in 3D a pyramid, falls on a face with its tip. The
+    tip touches between the points of its overlaps. When these were pressed as
+    a whole or not at all, the tip was 0.4 of a cell inside before the next
+    pairing noticed this, and left with two to six times its energy."""
     def pointed(X):
         off = np.maximum(abs(X[:, 0]), abs(X[:, 2]) if nDim == 3 else 0)
         return np.stack((X[:, 0], X[:, 1] + (1 - X[:, 1])*slope*off,
@@ -121,16 +121,16 @@ def test_wedge_meets_face(tmp_path, figures, nDim, slope, base, more):
         f.atLeast("change of the momentum / initial", (p.max() - p[0])/-p[0],
                   1.6 if nDim == 2 else 1.3)
         if (nDim, base) == (2, "same"):
-            # With 32 cells a side
+            # With 32 cells per side
             f.within("change in 3 s / initial", (half - p[0])/-p[0], 0.943,
                      0.08)
 
 
 @pytest.mark.parametrize("distance", (0.02, 0.1, 0.4))
 def test_corner_slides_over_faces(tmp_path, figures, distance):
-    """A rigid block that is held at an angle slides over a finer floor with
-    its corner. Between pairings the overlap at its rim becomes short; its gap
-    was that of a point far off it, so that the corner was thrown up."""
+    """A rigid block, held at an angle, slides over a finer floor with its
+    corner. Between pairings the overlap at its rim becomes short. Its gap used
+    to be that of a point far from it, which threw the corner up."""
     R = np.array(((np.cos(0.44), -np.sin(0.44), 0),
                   (np.sin(0.44), np.cos(0.44), 0), (0, 0, 1)))
     up = 0.5*(np.cos(0.44) + np.sin(0.44)) + 1e-4
@@ -157,7 +157,8 @@ def test_corner_slides_over_faces(tmp_path, figures, distance):
         f.atMost("work of contact / initial energy", W.max()/E, 1e-6)
         f.atLeast("vertical momentum, largest", p[:, 1].max(), 0.01)
         if distance < 0.2:
-            # Further than that it may meet what it has not been told of
+            # If it moves further, it may meet surfaces that it has not been
+            # told of
             f.atLeast("least momentum along the floor / initial",
                       p[:, 0].min()/p[0, 0], 0.9)
 
@@ -165,9 +166,9 @@ def test_corner_slides_over_faces(tmp_path, figures, distance):
 @pytest.mark.parametrize("nDim, cells", ((2, 6), (2, 7), (2, 9), (3, 4)))
 def test_box_tumbles_on_a_floor(tmp_path, figures, nDim, cells):
     """Corners slide over lines between the faces of a flat floor, deep enough
-    inside to be behind the next face as the mean of the normals sees them. The
-    steep side of the corner was lost there: it sank in, was thrown out, and
-    contact gave up to 2.4 % of the energy."""
+    inside to be behind the next face as seen along the mean of the normals.
+    The steep side of the corner used to lose contact there: it sank in, was
+    thrown out, and contact added up to 2.4 % of the energy."""
     axis, angle = ((0, 0, 1), 0.3) if nDim == 2 else ((1, 0.3, 2), 0.7)
     flat = np.array((1, 1, nDim - 2))
     speed, spin = np.array((0.1, -0.03, 0.02))*flat, np.array(
@@ -202,10 +203,10 @@ def test_box_tumbles_on_a_floor(tmp_path, figures, nDim, cells):
 
 
 def test_corners_that_have_passed_do_not_pull(tmp_path, figures):
-    """A rigid square meets one that turns, corner at corner, and the corners
-    slide off each other between pairings: the overlap of both has a negative
-    area then. It pulled them into each other, and they left with 82 times
-    their energy."""
+    """A rigid square meets a rotating one, corner to corner, and the corners
+    slide off each other between pairings. Then their overlap has a negative
+    area. It used to pull them into each other, and they separated with 82
+    times their energy."""
     def square(name, centre, angle, velocity, spin):
         R = np.array(((np.cos(angle), -np.sin(angle)),
                       (np.sin(angle), np.cos(angle))))
@@ -236,7 +237,7 @@ def test_corners_that_have_passed_do_not_pull(tmp_path, figures):
 
 
 class OnePatch(Body):
-    """A block whose sides are one patch, as those of most meshes are."""
+    """A block whose sides are one patch, as in most meshes."""
 
     @property
     def patches(self):
@@ -255,8 +256,8 @@ class OnePatch(Body):
 
 
 def thrown(seed, nDim, kind=Body):
-    """Two or three blocks of one to four cells a side, rigid, soft or stiff,
-    turned anyhow, fly at each other and spin."""
+    """Two or three blocks with one to four cells per side, rigid, soft or
+    stiff, in random orientations, fly at each other and spin."""
     g = np.random.default_rng(seed)
     materials = ({"type": "rigid", "rho": 1},
                  {"type": "neoHookean", "rho": 1, "E": 5, "nu": 0.3},
@@ -295,10 +296,10 @@ def thrown(seed, nDim, kind=Body):
     (3, 206, Body), (3, 208, Body), (3, 226, Body), (3, 233, Body),
     (3, 204, OnePatch), (3, 208, OnePatch)))
 def test_blocks_thrown_at_each_other(tmp_path, figures, nDim, seed, kind):
-    """Which faces of two corners or edges are opposite each other, and which
-    way is out, changes as these pass. Of a hundred and forty such scenes
-    eleven stopped, since faces at the back of a corner were found inside the
-    other body, and fourteen gained up to 4.4 times their energy."""
+    """As two corners or edges pass each other, their opposite faces and the
+    way out change. Earlier, of a hundred and forty such scenes eleven stopped,
+    since faces at the back of a corner were found inside the other body, and
+    fourteen gained up to 4.4 times their energy."""
     blocks = thrown(seed, nDim, kind)
     alone = all(b.material["type"] == "rigid" for b in blocks)
     steps = {"adjustTimeStep": "no", "deltaT": 0.005} if alone else {}
@@ -323,12 +324,13 @@ def test_blocks_thrown_at_each_other(tmp_path, figures, nDim, seed, kind):
     (4, 2.5e-3, 1, 0), (8, 2.5e-3, 1, 0), (8, 5e-4, 1, 0), (4, 2.5e-3, 1, 0.2),
     (4, 2.5e-3, 0.6, 0), (4, 2.5e-3, 2.5, 0), (4, 2.5e-3, 4, 0)))
 def test_edge_across_edge(tmp_path, figures, cells, step, steep, roll):
-    """Two rigid bars cross, and meet with an edge each: the force is across
-    both edges, however the bars are divided, rolled, or sharp. The surface of a
-    bar is far larger than what presses: taken to press with all of it they went
-    into each other by a third of a face. Along the means of the faces' normals
-    they left sideways, with up to 0.6 of their momentum, and sharp ones, whose
-    faces met at less than 120 degrees, went through each other."""
+    """Two rigid bars cross and meet with an edge each. The force is
+    perpendicular to both edges, for any mesh, roll angle or sharpness of the
+    bars. The surface of a bar is far larger than the part that presses. When
+    all of it was counted, the bars penetrated each other by a third of a face.
+    With forces along the means of the normals of the faces they left sideways,
+    with up to 0.6 of their momentum. Sharp bars, whose faces meet at less than
+    120 degrees, went through each other."""
     def bar(name, along, at, speed, angle):
         size = np.full(3, 0.5)
         size[along] = 2
@@ -369,10 +371,11 @@ def test_edge_across_edge(tmp_path, figures, cells, step, steep, roll):
     (2, 4, 0.5, "neoHookean"), (3, 2, 0.2, "rigid"), (3, 4, 0.5, "rigid"),
     (3, 4, 0.2, "neoHookean")))
 def test_edge_falls_on_face(tmp_path, figures, nDim, cells, roll, kind):
-    """A block falls on its edge, in 2D its corner, on the plane face of another
-    body, turned by so much that both of its sides are not alike: without
-    friction it is pushed along the normal of that face. Along the mean of both
-    normals it was pushed sideways, with up to 4 % of that."""
+    """A block falls on its edge, in 2D on its corner, onto the plane face of
+    another body. It is rotated so that its two sides are not symmetric.
+    Without friction the force is along the normal of the face. Forces along
+    the mean of both normals pushed it sideways, with up to 4 % of the
+    force."""
     material = {**ELASTIC, "type": kind} if kind != "rigid" else {
         "type": "rigid", "rho": ELASTIC["rho"]}
 
@@ -413,9 +416,9 @@ def test_edge_falls_on_face(tmp_path, figures, nDim, cells, roll, kind):
 
 @pytest.mark.parametrize("angle", (0, 0.3, 0.7, 1.9))
 def test_body_alone_stays_at_rest(tmp_path, figures, angle):
-    """Cells of this block are as deep as it is thick, so that its faces back
-    to back were inside each other by round-off: turned by two of these angles
-    it burst, at rest, with nothing near it."""
+    """The cells of this block are as deep as the block is thick, so its faces
+    on opposite sides were inside each other by round-off. At two of these
+    rotation angles the block burst, at rest, with nothing near it."""
     block = Body((3, 2, 1), name="a", size=(1.066, 0.12, 0.472),
                  sides=sidesOf(3),
                  moved=lambda X: turned(X, (1, 2, 3), angle))
@@ -433,8 +436,8 @@ def test_body_alone_stays_at_rest(tmp_path, figures, angle):
 
 @pytest.mark.parametrize("nDim, width", ((2, 0.014), (3, 0.003)))
 def test_slice_between_mirrors(tmp_path, figures, nDim, width):
-    """Two bars that start inside each other by more than they are wide,
-    between mirrors: these are no way out."""
+    """Two bars between mirrors start inside each other by more than their
+    width. The mirrors are no way out."""
     sides = ("back", "front") if nDim == 3 else ("bottom", "top")
     mirrors = {side: "symmetryPlane" for side in sides}
     held = {"type": "fixedVelocity", "velocity": (0, 0, 0)}

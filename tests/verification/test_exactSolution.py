@@ -1,5 +1,5 @@
-"""The exact solution of the two-bar impact against known plateaus, and against
-what must hold for any pair of bars."""
+"""The exact solution of the two-bar impact, compared with known plateaus and
+with laws that hold for any pair of bars."""
 
 from dataclasses import astuple
 

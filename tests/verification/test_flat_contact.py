@@ -1,5 +1,5 @@
-"""On a flat base: nothing pulls along it without friction, nothing floats, and
-what is transmitted over a gap is told apart from closed contact."""
+"""Contact on a flat base: without friction no force acts along the base, no
+gap remains, and forces over a gap are distinguished from closed contact."""
 
 import numpy as np
 import pytest
@@ -15,8 +15,8 @@ HELD = rigid(freeTranslation="()", freeRotation="()")
 
 
 def rest(folder, block, base, g, time, **more):
-    """A block on a base, a body or an obstacle, under gravity that is switched
-    on without a jolt."""
+    """A block on a base (a body or an obstacle), under gravity that rises
+    smoothly."""
     block.forces = slowly(time/2, np.zeros(3), np.array((0, -g, 0)))
     bodies, touch = [block], {"side": ("block", "bottom"), "obstacle": base}
     if isinstance(base, Body):
@@ -29,7 +29,7 @@ def rest(folder, block, base, g, time, **more):
 
 
 def along(contact, part=slice(None)):
-    """Forces on the block along the base and across it, in time."""
+    """Forces on the block along the base and normal to it, by time."""
     return (np.array([contact[f"block.bottom:F{c}"] for c in x])[:, part]
             for x in ("xz", "y"))
 
@@ -37,7 +37,7 @@ def along(contact, part=slice(None)):
 # Without friction
 
 def wide(cells, material, **sides):
-    """A base under all of the way of the block."""
+    """A base under the whole path of the block."""
     return Body(cells=cells, name="base", start=(-1, -0.5, -1),
                 size=(5, 0.5, 3 if len(cells) == 3 else 1), material=material,
                 sides={"top": "contact", **sides})
@@ -51,10 +51,11 @@ BASES = {"plane": FLOOR, "rigid": wide((9, 3), HELD),
 
 @pytest.mark.parametrize("name", BASES)
 def test_nothing_pulls_along_a_flat_base(tmp_path, figures, name):
-    """A soft block slides, no mesh matches. Its edges give way under its
-    weight, so that its surface is a little inclined there, the more the heavier
-    it is: forces along a body that does not give way come from that alone, and
-    change their sign as it vibrates. A plane has one normal everywhere."""
+    """A soft block slides; the meshes do not match. Its edges give way under
+    its weight, so that its surface is slightly inclined there, more for a
+    heavier block. Forces along a base that does not give way come only from
+    this inclination, and change sign as the block vibrates. A plane has one
+    normal everywhere."""
     cells = (4, 3, 4) if "3D" in name else (7, 4)
     block = Body(cells=cells, name="block", material=SOFT,
                  velocity=(0.02, 0, 0), sides={"bottom": "contact"})
@@ -76,12 +77,13 @@ def test_nothing_pulls_along_a_flat_base(tmp_path, figures, name):
 
 
 def test_what_pulls_over_an_edge(tmp_path, figures):
-    """A block whose one end hangs over the edge of a flat base bends round it.
-    There its surface is inclined, and the edge pushes it off the base, also
-    without friction: with the force by which its energy falls as more of it
-    hangs over, dU/dw over the length that is held, U half of the work of the
-    weight. That grows with the square of the weight. The edge has no normal of
-    its own, its force acts along that of the block."""
+    """A block with one end over the edge of a flat base bends round the edge.
+    Its surface is inclined there, and the edge pushes it off the base, also
+    without friction. The force is the energy that the block releases per
+    length as more of it hangs over, dU/dw over the held length, where U is
+    half of the work of the weight. It grows with the square of the weight. The
+    edge has no normal of its own: the force acts along the normal of the
+    block."""
     g, n, step = 1e-3, 14, 0.04
     forces, energies = [], []
     for width in 0.7 - step, 0.7, 0.7 + step:
@@ -110,11 +112,11 @@ RUBBER = {"type": "neoHookean", "rho": 1100, "E": 0.8e6, "nu": 0.45}
 
 @pytest.mark.parametrize("base", ("plane", "rigid"))
 def test_nothing_floats(tmp_path, figures, base):
-    """Rubber under its own weight, which makes it 54 um lower in theory, on a
-    plane and on a rigid region whose mesh does not match: no gap is left, and
-    no force acts over one. A pressure on its top would make the same mean
-    displacement of all heights, so that by reciprocity that of the top is
-    rho g h^2/(2 E'), however it bulges."""
+    """Rubber under its own weight, which lowers it by 54 um in theory, on a
+    plane and on a rigid region whose mesh does not match. No gap is left, and
+    no force acts over a gap. By reciprocity the mean displacement of the top
+    is rho g h^2/(2 E'), however the block bulges, since a pressure on the top
+    causes the same mean displacement at all heights."""
     g, h, n, time = 9.81, 0.1, 8, 0.2
     block = Body(cells=(n, n), name="block", size=(h, h, 1), material=RUBBER,
                  sides={"bottom": "contact", "left": "symmetryPlane"})
@@ -149,9 +151,9 @@ def test_nothing_floats(tmp_path, figures, base):
 
 @pytest.mark.parametrize("against", ("plane", "body"))
 def test_force_over_a_gap(tmp_path, figures, against):
-    """A bar comes upon a plane, or another bar. Contact slows it before it
-    touches: all of that force is one over a gap. Once the gap is closed, to
-    1e-4 of a cell, none is."""
+    """A bar approaches a plane or another bar. Contact slows it before it
+    touches; this force is completely counted as one over a gap. When the gap
+    is closed, to 1e-4 of a cell, no such force remains."""
     n, speed, start = 20, 0.05, 0.02
     bar = Body(cells=(n,), name="block", start=(start, 0, 0),
                velocity=(-speed, 0, 0), material=ELASTIC,

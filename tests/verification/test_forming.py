@@ -1,5 +1,5 @@
-"""A rigid stamp under a given force on a block of metal, which bears what
-Prandtl's half space does."""
+"""A rigid stamp presses a block of metal with a given force. The block bears
+as much as Prandtl's half space."""
 
 import numpy as np
 import pytest
@@ -10,7 +10,7 @@ from vertexContactTests.caseTools import DEFAULT, Tutorial
 
 
 def impulse(times, F, at):
-    """Integral of a force from the start to some times."""
+    """Integral of a force from the start to given times."""
     sums = np.append(0, np.cumsum(np.diff(times)*(F[1:] + F[:-1])/2))
     return np.interp(at, times, sums)
 
@@ -30,13 +30,13 @@ def test_limit(run, figures, scene):
     depth = -way[:, 1]
     E = case.energies
     with figures(f"stamp on a block, Mesh {scene.mesh}") as f:
-        # The edge of the stamp cuts through cells
+        # The edge of the stamp is within cells
         f.within("force while the block flows / Prandtl's limit",
                  F[flows].mean()/prandtl.LIMIT, *{
                      "I": (1.11, 0.02), "12": (1.055, 0.02)}[scene.mesh])
         f.atLeast("force on the stamp / that limit",
                   prandtl.force(t).max()/prandtl.LIMIT, 1.3)
-        # All that the force has given it, the block takes
+        # The block takes up the impulse of the force
         v = np.gradient(depth, times)
         f.atMost("momentum of the stamp less impulses / largest impulse",
                  np.abs(impulse(t, prandtl.force(t) - F, times)

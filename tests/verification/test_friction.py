@@ -1,5 +1,5 @@
-"""Coulomb friction: what sticks stays for ever, when it begins to slip, how it
-slows down, and what it takes."""
+"""Coulomb friction: sticking points do not move, slip begins at the right
+force, and friction slows and dissipates correctly."""
 
 import shutil
 
@@ -40,9 +40,9 @@ def law(k, static=None, decay=None):
 
 
 def sliding(folder, on, friction, time, tilt=0, speed=0, **how):
-    """A block that has a speed, or whose weight comes on it in the first
-    third of the time, and the slope in the second one, on a plane or on a
-    deformable base."""
+    """A block with an initial speed; or a block whose weight rises in the
+    first third of the time, and the slope in the second third. It lies on a
+    plane or on a deformable base."""
     weight = np.array((0, -WEIGHT, 0))
     slope = weight + (tilt*WEIGHT, 0, 0)
     forces = (slowly(time, slope, slope) if speed
@@ -64,10 +64,9 @@ def velocity(case):
 @pytest.mark.parametrize("on, excess", (
     ("plane", -1e-3), ("plane", 1e-3), ("base", -0.1), ("base", 0.1)))
 def test_angle_of_friction(tmp_path, figures, on, excess):
-    """On a slope of tan(alpha) = 0.999 k a block comes to rest, at 1.001 k it
-    becomes faster and faster, by the difference. A soft base gives way more
-    below the lower edge of the block, which tilts: its slope is not known so
-    well."""
+    """On a slope of tan(alpha) = 0.999 k a block comes to rest. At 1.001 k it
+    accelerates by the difference. A soft base gives way more below the lower
+    edge of the block, which tilts: there the slope is known less exactly."""
     k, T = 0.3, 1200
     case = sliding(tmp_path, on, coulomb(k), T, (1 + excess)*k,
                    control={"writeInterval": T/2})
@@ -91,8 +90,9 @@ def test_angle_of_friction(tmp_path, figures, on, excess):
 
 
 def test_rest_on_a_slope(tmp_path, figures):
-    """A block of 2 x 2 x 2 cells lies on a body of the same cells, inclined by
-    a fifth of the angle of friction, under 5 % of its modulus: it stays."""
+    """A block of 2 x 2 x 2 cells stays at rest on a body with the same cells.
+    The slope is a fifth of the angle of friction, and the pressure 5 % of its
+    modulus."""
     T = 6000
     rubber = dict(material=RUBBER, forces=slowly(
         T/20, np.zeros(3), np.array((0, -0.05, 0)),
@@ -110,7 +110,7 @@ def test_rest_on_a_slope(tmp_path, figures):
     D = [case.at("pointD", time, "block") for time in case.times]
     kinetic = case.energies["total:kinetic"]
     with figures("3D block on a body, at a fifth of the angle of friction") as f:
-        # Each pairing, here each write, finds areas and normals anew
+        # Each pairing, here at each written time, finds new areas and normals
         f.atMost("drift in the last fifth / cell",
                  2*largest(D[-1] - D[-2]), 1e-9)
         f.atMost("kinetic energy at the end / largest",
@@ -120,8 +120,8 @@ def test_rest_on_a_slope(tmp_path, figures):
 @pytest.mark.parametrize("first", ("base", "blocks"))
 def test_two_on_one_node(tmp_path, figures, first):
     """Two small blocks stand on the same node of a coarse base and are pulled
-    apart by two fifths of what friction holds: both stay, whichever side of
-    the interface they are."""
+    apart by two fifths of the friction limit. Both stay, whichever side of the
+    interface they are on."""
     T, damped = 120, {"coefficient": 0.5}
 
     def pulled(name, x, way):
@@ -147,8 +147,8 @@ def test_two_on_one_node(tmp_path, figures, first):
 
 
 def test_static_and_dynamic(tmp_path, figures):
-    """Between both coefficients a block at rest stays, and one that moves
-    goes on, slowed down by the dynamic one."""
+    """With a slope between both coefficients, a block at rest stays, and a
+    moving block goes on and is slowed by the dynamic friction."""
     tilt, both = 0.15, law(0.1, 0.3)
     rests = sliding(tmp_path/"rests", "plane", both, 600, tilt)
     moves = sliding(tmp_path/"moves", "plane", both, 10, tilt, 0.02)
@@ -161,8 +161,8 @@ def test_static_and_dynamic(tmp_path, figures):
 
 
 def test_friction_falls_with_the_speed(tmp_path, figures):
-    """Friction that decays with the speed stops a block as the equation
-    v' = -g (k + (k_s - k) exp(-decay v)) says."""
+    """If friction decays with the speed, a block stops as the equation v' = -g
+    (k + (k_s - k) exp(-decay v)) predicts."""
     k, static, decay, speed, T = 0.1, 0.4, 20, 0.1, 20
     case = sliding(tmp_path, "plane", law(k, static, decay), T, speed=speed)
     t, v = case.momentum["Time"], velocity(case)
@@ -182,8 +182,8 @@ def test_friction_falls_with_the_speed(tmp_path, figures):
 
 @pytest.mark.parametrize("on", ("plane", "base"))
 def test_what_friction_takes(tmp_path, figures, on):
-    """A block slides until it stops: friction has taken its kinetic energy,
-    but for what its waves lost."""
+    """A block slides until it stops. Friction has dissipated its kinetic
+    energy, except for the part that its waves lost."""
     speed = 0.06
     case = sliding(tmp_path, on, coulomb(0.3), 20, speed=speed)
     start = HEIGHT*speed**2
@@ -208,7 +208,8 @@ def test_what_friction_takes(tmp_path, figures, on):
 
 
 def pressed(folder, ranks=1, T=8, **control):
-    """Pushed along a base by less than friction holds, with an uneven load."""
+    """A block is pushed along a base with less than the friction limit, under
+    an uneven load."""
     rubber = dict(material=RUBBER)
     block = Body((2, 2, 2), name="block", sides={
         "bottom": "contact",
@@ -225,8 +226,8 @@ def pressed(folder, ranks=1, T=8, **control):
 
 
 def test_restart(tmp_path):
-    """What sticks is remembered: a run that is continued is the same to the
-    last bit."""
+    """Sticking points remember their positions: a restarted run is equal to
+    the last bit."""
     whole = pressed(tmp_path/"whole", writeInterval=4)
     half = tmp_path/"half"
     shutil.copytree(whole.path, half)
@@ -244,7 +245,7 @@ def test_restart(tmp_path):
 
 
 def test_two_ranks(tmp_path, figures):
-    """Decomposed runs remember the same."""
+    """Decomposed runs remember them in the same way."""
     serial, parallel = (pressed(tmp_path/str(n), n) for n in (1, 2))
     a, b = (c.energies["total:frictionDissipation"] for c in
             (serial, parallel))

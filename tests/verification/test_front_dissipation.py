@@ -1,6 +1,6 @@
-"""What the dissipation at fronts is for: without more of it than elsewhere, as
-preset 'fast' has it, they overshoot. Steps and errors are in test_presets.py.
-"""
+"""The purpose of the dissipation at fronts: without additional dissipation
+there, as in preset 'fast', solutions overshoot. Steps and errors are tested in
+test_presets.py."""
 
 from vertexContactTests.trade.calibration import Calibration
 from vertexContactTests.trade.cases import CASES

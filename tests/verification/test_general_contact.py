@@ -1,5 +1,6 @@
-"""One entry for many surfaces: the same as named interfaces, in any order of
-bodies, on any ranks, from any restart; laws by pair; what is refused."""
+"""One entry for many surfaces gives the same as named interfaces, for any
+order of the bodies, number of ranks, and restart. Laws by pair, and refused
+input."""
 
 import shutil
 
@@ -32,14 +33,15 @@ def case(folder, interfaces, bodies=None, **control):
         control={"maxCo": 0.9, **control})
 
 
-# Of blocks across the middle, of which only the corners meet
+# Blocks across the middle, of which only the corners meet
 ACROSS = ('((square00 ".*") (square11 ".*")) '
           '((square10 ".*") (square01 ".*"))')
 
 
 def test_as_named(tmp_path, figures):
-    """Pairs, found by themselves, are those of the named interfaces. All look
-    at their surfaces at the same instants: when the state is written."""
+    """Pairs that are found automatically give the results of named interfaces.
+    All pairs update their surfaces at the same instants: when the state is
+    written."""
     often = {"writeInterval": END/10}
     named = case(tmp_path/"named", NAMED, **often)
     general = case(tmp_path/"all", {"all": {
@@ -62,7 +64,7 @@ def test_as_named(tmp_path, figures):
 
 @pytest.mark.parametrize("places", ("metis", *PLACES))
 def test_ranks(tmp_path, figures, places):
-    """With friction, so that what slides is exchanged, too."""
+    """With friction, so that the slip is exchanged, too."""
     bodies = squares()
     bodies[0].velocity = (2, 4, 0)
     serial, parallel = (case(tmp_path/n, RUBBING, bodies)
@@ -83,8 +85,8 @@ def test_ranks(tmp_path, figures, places):
                  difference(serial, parallel), 1e-9)
 
 
-# One law for a row of the squares: by dictionaries, or as a list, in which a name
-# alone is a region
+# One law for a row of the squares, written as dictionaries or as a list. In a
+# list, a name alone is a region
 ROW = {
     "named": {"row": {"sides": '(("square.0" ".*") ("square.0" ".*"))',
                       "law": coulomb(0.5)}},
@@ -94,11 +96,11 @@ ROW = {
 
 @pytest.mark.parametrize("form", ROW)
 def test_pairs_by_law(tmp_path, form):
-    """Each pair has the law of the entry that names it."""
+    """Each pair has the law of the entry that contains it."""
     c = case(tmp_path/"c", {"all": {
         "surfaces": "all", "law": {"type": "frictionless"},
         "pairs": ROW[form]}})
-    assert "1 other laws for pairs" in solve(c)
+    assert "other laws for pairs: 1" in solve(c)
     lines = (c.path/"postProcessing/contactForces/0/all.dat").read_text()
     head, *rows = [line.split() for line in lines.splitlines()]
     stick = head.index("stick") - 1
@@ -111,7 +113,7 @@ def test_pairs_by_law(tmp_path, form):
 
 
 def test_listed_pairs(tmp_path):
-    """A list of several, of regions and surfaces, is the same as dictionaries,
+    """A list of several entries, for regions and surfaces, equals dictionaries
     to the last bit."""
     laws = [f"{{ law {{ type Coulomb; frictionCoeff {k}; }} }}"
             for k in (0.2, 0.4)]
@@ -135,7 +137,7 @@ def test_listed_pairs(tmp_path):
 
 
 def test_exclude(tmp_path):
-    """Pairs that are excluded fly through each other."""
+    """Excluded pairs fly through each other."""
     c = case(tmp_path/"c", {"all": {
         "surfaces": "all",
         "exclude": '((("square0." right) ("square1." left)))'}})
@@ -147,7 +149,7 @@ def test_exclude(tmp_path):
 
 
 def test_restart(tmp_path):
-    """A run that is continued is the same to the last bit."""
+    """A restarted run is equal to the last bit."""
     whole = case(tmp_path/"whole", ALL, writeInterval=END/2)
     solve(whole)
     half = tmp_path/"half"
@@ -169,8 +171,8 @@ def test_restart(tmp_path):
 
 @pytest.mark.parametrize("ranks", (1, 2))
 def test_restart_with_friction(tmp_path, figures, ranks):
-    """What sticks and what has slid, on ranks: all files of the last time bit
-    by bit, and the impulses of each pair go on."""
+    """Sticking and slip on several ranks: all files of the last time are equal
+    bit by bit, and the impulses of each pair continue."""
     bodies = squares()
     bodies[0].velocity = (2, 4, 0)
     c = case(tmp_path/"c", RUBBING, bodies, writeInterval=END/4)
@@ -199,7 +201,8 @@ def test_restart_with_friction(tmp_path, figures, ranks):
 
 @pytest.mark.parametrize("ranks", (1, 2))
 def test_dry_run(tmp_path, figures, ranks):
-    """-dry-run says what may meet and what is near, and runs nothing."""
+    """-dry-run says how many pairs may touch and how many are near, and runs
+    nothing."""
     c = case(tmp_path/"c", ALL)
     command = ["vertexContactFoam", "-dry-run"]
     if ranks > 1:
@@ -207,8 +210,8 @@ def test_dry_run(tmp_path, figures, ranks):
         command = ["mpirun", "-np", str(ranks), *command, "-parallel"]
     log = checked(command, c.path)
     with figures(f"General contact, -dry-run, {ranks} ranks") as f:
-        f.equal("says what may meet", "Interface all: 8 surfaces, of whose "
-                "pairs 36 may meet and 36 are near" in log, True)
+        f.equal("says what may meet", "Interface all: 8 surfaces, "
+                "36 pairs may touch and 36 are near" in log, True)
         f.equal("says the steps it would take", "\nSteps: " in log, True)
         f.equal("writes results", (c.path/"postProcessing").exists(), False)
 
@@ -232,8 +235,8 @@ def test_obstacle_of_many(tmp_path):
 
 
 def test_two_of_many(tmp_path):
-    """A pair belongs to one interface of many surfaces; to one of its own
-    rather than to these."""
+    """A pair belongs to one interface of many surfaces. If it has an interface
+    of its own, it belongs to that one."""
     c = case(tmp_path/"two", {**ALL, "more": {
         "surfaces": '(("square0." ".*"))'}})
     with pytest.raises(RuntimeError, match="in 'all' and in 'more'"):
@@ -248,20 +251,20 @@ def test_two_of_many(tmp_path):
 
 
 def test_check_contact(tmp_path):
-    """The utility reports the pairs that have anything opposite each other."""
+    """checkContact reports the pairs that have opposite faces."""
     c = case(tmp_path/"c", ALL, squares(gap=0.01))
     log = checked(["checkContact"], c.path)
     assert "8 surfaces" in log and "Contact OK" in log
     assert "Interface all.square00.right-square10.left" in log
     assert log.count("Interface all.") == 4
-    assert "Nothing is opposite anything in 32 more pairs" in log
+    assert "32 more pairs of surfaces are near" in log
     assert len(list(c.path.glob("postProcessing/checkContact/0/*.vtk"))) == 4
 
 
 EVERY = ("(square00 right)", "(square00 top)", "(square01 right)",
          "(square11 bottom)")
 LAW = "{ law { type frictionless; } }"
-# What is wrong: the change, and what the error says of it
+# The fault, and the words that the error must have
 WRONG = {
     "nothing": ({"surfaces": '(("disc.*" surface))'},
                 ("surfaces", "matches no surface", *EVERY)),
@@ -271,9 +274,9 @@ WRONG = {
     "three sets": ({"sides": '((square00 ".*") (square10 ".*") '
                              '(square11 ".*"))'},
                    ("sides", "needs two sets")),
-    "tied": ({"law": {"type": "tied"}}, ("tied", "of its own")),
+    "tied": ({"law": {"type": "tied"}}, ("tied", "of their own")),
     "excluded": ({"exclude": '((square00 ".*") (".*" ".*"))'},
-                 ("nothing is left", "square00.right", *EVERY)),
+                 ("no surface is left", "square00.right", *EVERY)),
     "exclude, region": ({"exclude": '((square22 right) (".*" ".*"))'},
                         ("exclude", "no region 'square22'", "square11")),
     "exclude, nothing": ({"exclude": '(("disc.*" ".*") (".*" ".*"))'},
@@ -321,7 +324,7 @@ WRONG = {
 
 @pytest.mark.parametrize("what", WRONG)
 def test_refused(tmp_path, what):
-    """One error, with the file, the keyword, and what there is."""
+    """One error, with the file, the keyword, and the existing names."""
     change, words = WRONG[what]
     if "sides" not in change:
         change = {"surfaces": "all", **change}
@@ -334,7 +337,8 @@ def test_refused(tmp_path, what):
 
 @pytest.mark.parametrize("entry", (ALL, RUBBING), ids=("none", "friction"))
 def test_superposed_velocity(tmp_path, figures, entry):
-    """A common velocity changes nothing, though pairings follow the bodies."""
+    """A common velocity changes nothing, although pairings follow the
+    bodies."""
     rest, flying = squares(), squares()
     for body in flying:
         body.velocity = tuple(np.add(body.velocity, (1000, 300, 0)))

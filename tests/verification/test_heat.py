@@ -1,6 +1,6 @@
-"""Heat of plastic work: of a block that is squeezed, and in the Taylor bar; a
-metal that gets softer, against the equations of its law; on two ranks, and
-after a restart."""
+"""Heat of plastic work, in a compressed block and in the Taylor bar; a metal
+with thermal softening, compared with the equations of its law; on two ranks,
+and after a restart."""
 
 import numpy as np
 import pytest
@@ -20,8 +20,8 @@ RANGE = SOFTENS["Tmelt"] - T0
 
 
 def squeezed(folder, yields, endTime=1.0, ranks=1, **control):
-    """A block of which one side is pushed by a tenth of its length, slowly:
-    waves take a hundredth of the time."""
+    """One side of a block is pushed by a tenth of its length. The motion is
+    slow: a wave needs a hundredth of the time."""
     pushed = condition("fixedDisplacement", displacement=table(
         (0, (0, 0, 0)), (1, (-0.1, 0, 0))), components=("x",))
     body = Body(cells=(4, 4), material={
@@ -36,7 +36,7 @@ def temperatures(case, time="1"):
 
 
 def test_temperature_is_the_work(tmp_path, figures):
-    """In equilibrium all of the block yields alike."""
+    """In equilibrium the whole block yields uniformly."""
     case = squeezed(tmp_path, LINEAR)
     T = temperatures(case)
     e = case.field("1", "body", "epsilonPEq")[:, 0]
@@ -51,14 +51,14 @@ def test_temperature_is_the_work(tmp_path, figures):
 
 
 def weights():
-    """Volumes of the nodes of the block, which is 1 x 1, per metre."""
+    """Volumes of the nodes of the block (1 x 1), per metre."""
     line = np.array([0.5, 1, 1, 1, 0.5])/4
     return np.tile(np.outer(line, line).ravel(), 2)/2
 
 
 def test_softer_when_warm(tmp_path, figures):
-    """The block bears less with heat than without, by what its temperature
-    says."""
+    """With heat the block bears less than without, by the factor of its
+    temperature."""
     case = squeezed(tmp_path/"warm", {"JohnsonCook": SOFTENS})
     cold = {k: v for k, v in SOFTENS.items() if k not in ("m", "Tmelt")}
     same = squeezed(tmp_path/"cold", {"JohnsonCook": cold})
@@ -76,15 +76,16 @@ def test_softer_when_warm(tmp_path, figures):
                  / same.energies["total:plasticDissipation"][-1], 0.95)
 
 
-# Of all exponents, and a room that is colder than the block
+# Exponents other than 1, and a room that is colder than the block
 TIME, STRETCH = 100.0, 0.3
 HARDENS = {"A": 1.0, "B": 3.0, "n": 0.4, "referenceRate": 1e-4}
 THERMAL = {"m": 1.3, "Tmelt": T0 + 0.1, "Troom": T0 - 0.02}
 
 
 def uniaxial(folder, stretch, law):
-    """A cube of one cell that is drawn or squeezed between planes, slowly, its
-    sides free. These vibrate on: they got to move as it began to yield."""
+    """A cube of one cell is slowly extended or compressed between planes; its
+    sides are free. The sides continue to vibrate, since they are accelerated
+    when the cube begins to yield."""
     end = condition("fixedDisplacement", components=("x",), displacement=table(
         (0, (0, 0, 0)), (TIME, (stretch, 0, 0))))
     body = Body(cells=(1, 1, 1), material={
@@ -98,9 +99,9 @@ def uniaxial(folder, stretch, law):
 
 
 def uniaxialTheory(stretch, law, steps=4000):
-    """The same from the equations of the law, step by step backwards: times,
-    Kirchhoff stress, which with logarithmic strains is E times the elastic one,
-    plastic strain and temperature."""
+    """The same from the equations of the law, by implicit steps: times,
+    Kirchhoff stress (with logarithmic strains it is E times the elastic
+    strain), plastic strain and temperature."""
     E = METAL["E"]
     t = np.linspace(0, TIME, steps + 1)
     e, T, rows = 0.0, T0, [(0, 0, T0)]
@@ -131,15 +132,16 @@ def uniaxialTheory(stretch, law, steps=4000):
 @pytest.mark.parametrize("stretch", (-STRETCH, STRETCH),
                          ids=("squeezed", "drawn"))
 def test_uniaxial_stress(tmp_path, figures, stretch, C):
-    """Force, plastic strain and temperature of a bar that yields by all of
-    Johnson and Cook's law, with heat, are those of its equations, whether its
-    rate matters or not. It bears less than one that does not get softer."""
+    """Force, plastic strain and temperature of a yielding bar, with the
+    complete law of Johnson and Cook and heat, agree with its equations, with
+    and without rate dependence. The bar bears less than one without
+    softening."""
     law = {**HARDENS, "C": C, **THERMAL}
     warm = uniaxial(tmp_path/"warm", stretch, law)
     cold = uniaxial(tmp_path/"cold", stretch, {**HARDENS, "C": C})
     r = readResults.table(warm.path, "reactionForces", "reactions.dat")
     t, tau, e, T = uniaxialTheory(stretch, law)
-    # The force acts around the start of the step, on the area of the start
+    # The force acts around the start of the step, on the area at the start
     when, found = r["Time"][:-1], r["body.right:Fx"][1:]
     theory = np.interp(when, t, tau)/(1 + stretch*when/TIME)
     parts = np.array_split(np.arange(len(when)), 10)[1:]
@@ -165,8 +167,8 @@ def test_uniaxial_stress(tmp_path, figures, stretch, C):
 
 
 def test_parallel_and_restart(tmp_path, figures):
-    """Two ranks give the temperatures of one; a run that was stopped goes on to
-    the last bit."""
+    """Two ranks give the temperatures of one. A restarted run is equal to the
+    last bit."""
     soft = {"JohnsonCook": SOFTENS}
     one = squeezed(tmp_path/"one", soft, writeInterval=0.5)
     two = squeezed(tmp_path/"two", soft, ranks=2, writeInterval=0.5)
@@ -185,7 +187,7 @@ def test_parallel_and_restart(tmp_path, figures):
                 bool((temperatures(half) == T).all()), True)
 
 
-# Copper as with HEAT=1, with the same yield stress until it gets warm
+# Copper as with HEAT=1, with the same yield stress as long as it is cold
 SOFT_COPPER = (("tauY", None), ("Hardening", None), ("JohnsonCook", (
     ("A", 0.4e9), ("B", 0.1e9), ("n", 1), ("C", 0), ("m", 1.09),
     ("Tmelt", 1356))),
@@ -197,9 +199,9 @@ BARS = {name: Tutorial("taylorBar", "2", preset=DEFAULT, **more)
 
 @pytest.mark.scenes(*BARS.values())
 def test_taylor_bar(run, figures):
-    """Its law knows no temperature: heat changes nothing but itself. The foot
-    gets hot enough to matter: with a law that knows it, the bar ends shorter
-    and its foot wider."""
+    """The law of the tutorial does not depend on the temperature: heat changes
+    only the temperature. The foot becomes hot enough to matter: with a law
+    that depends on it, the bar ends shorter and its foot wider."""
     cold, warm, soft = (run(bar) for bar in BARS.values())
     T, Tsoft = (c.field(c.times[-1], "rod", "pointT")[:, 0]
                 for c in (warm, soft))

@@ -1,10 +1,10 @@
-"""Impact of an elastic sphere on a rigid plane and on a second sphere, against
-the theory of Hertz; 3 or (Mesh I) 6 elements over the radius of the largest
-contact.
+"""Impact of an elastic sphere on a rigid plane and on a second sphere,
+compared with the theory of Hertz. The mesh has 3 or 6 (Mesh I) elements over
+the radius of the largest contact.
 
-A finite sphere is stiffer than the half space of Hertz: finite() is what the
-series of Legendre of newtonsCradle makes of his peak force and duration. What
-numerical dissipation does comes on top."""
+A finite sphere is stiffer than the half space of Hertz: finite() has the
+changes of his peak force and duration, from the series of Legendre of
+newtonsCradle. Numerical dissipation has an additional effect."""
 
 from functools import cache
 
@@ -26,8 +26,9 @@ scenes = pytest.mark.scenes
 
 @cache
 def finite():
-    """Peak force and duration of a finite sphere / Hertz. Two that fly at each
-    other are two of which one is at rest, seen from it."""
+    """Peak force and duration of a finite sphere / Hertz. Two spheres that fly
+    at each other are, in the frame of one of them, an impact on a sphere at
+    rest."""
     h, c = hertzSolution, hertzChain
     assert (h.RADIUS, h.RHO, h.E, h.NU) == (c.RADIUS, c.RHO, c.E, c.NU)
     times, _, F = c.chain(1.1*h.DURATION, 0, True, 2, 2*h.SPEED,
@@ -36,7 +37,7 @@ def finite():
 
 
 def force(case):
-    """On the whole sphere; the model is a quarter."""
+    """Force on the whole sphere; the model is a quarter."""
     return 4*case.contact("contact")["sphere1.surface:Fz"]
 
 
@@ -52,12 +53,14 @@ def rebound(case):
 
 
 def checkImpact(f, scene, run, peak, time, back):
-    """Tolerances of peak force and duration, least speed away / towards."""
+    """The limits are tolerances of peak force and duration, and the least
+    ratio of the speeds after and before."""
     case = run(scene)
     contact = case.contact("contact")
     spheres = scene in (COARSE_SPHERES, SPHERES)
-    # Corners of spheres touch in their centroids, behind the poles; surfaces
-    # are slowed down a cell's time and a step before they touch
+    # Corners of spheres touch at the centroids of their parts, behind the
+    # poles. Surfaces are slowed from a cell's transit time and a step before
+    # they touch
     f.within("first contact [ms]",
              1e3*contact["Time"][contact["area"] > 0][0],
              1e3*hertzSolution.FIRST_CONTACT, 0.03 if spheres else 0.012)
@@ -93,8 +96,8 @@ def test_force_and_duration_of_hertz(run, figures, scene):
 
 @scenes(COARSE_PLANE, COARSE_SPHERES)
 def test_spheres_as_plane(run, figures):
-    """Spheres whose surface meshes do not match do what each does on a rigid
-    plane."""
+    """Spheres whose surface meshes do not match behave as each sphere does on
+    a rigid plane."""
     with figures("Hertz, 3 elements, spheres and plane") as f:
         checkSpheres(f, run(COARSE_PLANE), run(COARSE_SPHERES))
 
@@ -111,7 +114,7 @@ def test_force_and_duration_on_mesh_I(run, figures):
 
 @scenes(PLANE)
 def test_traction_along_the_radius(run, figures):
-    """Near the largest force, along the radius."""
+    """Traction near the time of the largest force, along the radius."""
     case = run(PLANE)
     contact = case.contact("contact")
     F = np.interp(0.0025, contact["Time"], force(case))

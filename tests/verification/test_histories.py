@@ -1,5 +1,5 @@
-"""Histories: how many rows there are, what they lose, the filtered force of
-contact, largest values and averages."""
+"""Histories: number of rows and accuracy, filtered contact force, extremes and
+averages."""
 
 import numpy as np
 import pytest
@@ -17,7 +17,7 @@ def function(name, **more):
 
 
 def falling(folder, endTime=12, n=40, sides={}, **functions):
-    """A bar that hits a plane, and leaves it after 2 s. c_p = 1."""
+    """A bar that hits a plane and leaves it after 2 s; c_p = 1."""
     bar = Body(cells=(n,), name="bar", material=ELASTIC, velocity=(-SPEED, 0, 0),
                start=(0.05, 0, 0), sides={"left": "contact", **sides})
     plane = {**FLOOR, "pointAndNormalDict": {
@@ -30,8 +30,9 @@ def falling(folder, endTime=12, n=40, sides={}, **functions):
 
 
 def test_rows_and_filter(tmp_path, figures):
-    """A row each thousandth of the run; impulses do not depend on the rows,
-    nor does the filtered force, whose integral is the impulse."""
+    """A row is written each thousandth of the run. Impulses do not depend on
+    the rows. The same holds for the filtered force, whose integral is the
+    impulse."""
     each = {"writeControl": "timeStep", "writeInterval": 1}
     case = falling(
         tmp_path,
@@ -62,7 +63,7 @@ def test_rows_and_filter(tmp_path, figures):
                 "Time", "bar.left:filteredFx"))
             f.within(f"integral of the filtered force, {name}",
                      np.trapezoid(F, t)/impulse, 1, 2e-3)
-        # A rectangle of 2 s: two poles swing over by 4.3 %, a cosine of a
+        # A rectangle of 2 s. Two poles overshoot by 4.3 %: a cosine with a
         # decaying amplitude, at the time sqrt(2) pi/omega
         omega = 2*np.pi*CUT_OFF
         F = always["bar.left:filteredFx"]
@@ -74,7 +75,7 @@ def test_rows_and_filter(tmp_path, figures):
 
 
 def test_restart_of_filter(tmp_path, figures):
-    """To the last bit."""
+    """The restarted filter is equal to the last bit."""
     case = falling(tmp_path, endTime=4, forces=function(
         "contactForces", filterFrequency=CUT_OFF))
     (_, a), (_, b) = runAgain(case, look=lambda case, _: readResults.table(
@@ -91,7 +92,8 @@ def test_restart_of_filter(tmp_path, figures):
     {"executeControl": "adjustableRunTime", "executeInterval": 0.01}),
     ids=("steps", "time"))
 def test_filter_that_sees_some_steps(tmp_path, figures, when):
-    """Also what a filter sees seldom takes the time that it takes."""
+    """A filter that sees only some steps takes their whole time into
+    account."""
     each = {"filterFrequency": CUT_OFF, "writeControl": "timeStep",
             "writeInterval": 20}
     case = falling(
@@ -107,8 +109,8 @@ def test_filter_that_sees_some_steps(tmp_path, figures, when):
 
 
 def test_restart_of_extremes(tmp_path, figures):
-    """The row after a restart, here at 2.3 instead of 1.2 and 2.4, knows the
-    steps before."""
+    """The row after a restart (here at 2.3, between rows at 1.2 and 2.4)
+    includes the earlier steps."""
     most = []
     for stages in (2.4,), (1.1, 2.4):
         case = SmallCase(tmp_path/str(len(stages)), Body(
@@ -134,8 +136,9 @@ def test_restart_of_extremes(tmp_path, figures):
 
 @pytest.mark.parametrize("ranks", (1, 2))
 def test_rows_of_extremes_after_a_restart(tmp_path, figures, ranks):
-    """Each row is of the steps since the one before, as without the restart:
-    the first one of what the run before had seen, the next ones no longer."""
+    """Each row covers the steps since the previous row, as without the
+    restart. The first row includes the steps of the earlier run, the next rows
+    do not."""
     tables = []
     for stages in (2,), (1, 2):
         case = SmallCase(tmp_path/str(len(stages)), Body(
@@ -162,8 +165,8 @@ def test_rows_of_extremes_after_a_restart(tmp_path, figures, ranks):
 
 @pytest.mark.parametrize("ranks", (2, 3))
 def test_places_on_ranks(tmp_path, figures, ranks):
-    """Of places that are as near, or have the same value, that by x, y, z, on
-    any number of ranks."""
+    """Of places that are equally near, or have the same value, the first by x,
+    y, z is chosen, on any number of ranks."""
     points = ((9/16, 7/16, 0.5), (9/16, 0, 0), (1, 9/16, 0), (7/16, 0.5, 0))
     cases = []
     for n in 1, ranks:
@@ -187,7 +190,7 @@ def test_places_on_ranks(tmp_path, figures, ranks):
 
 
 def bending(folder, **functions):
-    """A block whose displacement and velocity are linear in the place."""
+    """A block whose displacement and velocity are linear in space."""
     def linear(X):
         return 1e-3*np.stack((X[:, 0] + 2*X[:, 1], 0*X[:, 0], X[:, 1]), axis=1)
     block = Body(cells=(5, 4, 3), name="block", material=ELASTIC,
@@ -223,7 +226,8 @@ def bending(folder, **functions):
 
 @pytest.mark.parametrize("ranks", (1, 2))
 def test_extremes_and_averages(tmp_path, figures, ranks):
-    """Of a linear field: values at the corners, and in the middle; of sets."""
+    """For a linear field the extremes are those at corners, and the averages
+    those in the middle, also for sets."""
     every = {"fields": "(pointD.x sigmaEq contactGap)", "region": "block"}
     case = bending(
         tmp_path,
@@ -278,8 +282,9 @@ def test_extremes_and_averages(tmp_path, figures, ranks):
 
 @pytest.mark.parametrize("ranks", (1, 2))
 def test_face_zones(tmp_path, figures, ranks):
-    """Over a faceZone as over the patch, and the points, of its faces: one on
-    the surface, and one inside the block; now and later."""
+    """A faceZone gives the same as the patch with its faces and the set of its
+    points. One zone is on the surface and one inside the block, at the start
+    and later."""
     fields = {"fields": "(pointD sigmaEq pointU.y)", "region": "block",
               "writeControl": "timeStep"}
     places = {"zone": ("faceZone", "roof"), "patch": ("patch", "top"),
@@ -295,7 +300,7 @@ def test_face_zones(tmp_path, figures, ranks):
         assert case.attempt(ranks)[0] == 0
 
     def columns(what, name):
-        """Without the names of the sets, as one array."""
+        """Columns of the table as one array, without the names of the sets."""
         t = readResults.table(case.path, f"{what}{name}",
                               f"{what.lower()}.dat")
         return t, np.array(list(t.values()))
@@ -312,15 +317,16 @@ def test_face_zones(tmp_path, figures, ranks):
                 _, a = columns(what, zone)
                 for other in others:
                     _, b = columns(what, other)
-                    # Points are weighted by volumes, in proportion to areas
+                    # Points are weighted by volumes, which are in proportion
+                    # to areas
                     f.atMost(f"{what} of {zone} - of {other}", largest(a - b),
                              0 if what == "Extremes" else 1e-15)
 
 
 def test_rows_of_every_function_object(tmp_path, figures):
-    """Each of them writes a row each thousandth of the run, or when its
-    writeControl says so, and one of the start, which of contact is that of the
-    first step."""
+    """Each function object writes a row at each thousandth of the run, or as
+    its writeControl says, and one at the start (for contact, a row of the
+    first step)."""
     endTime, interval = 14.0, 0.7
     controls = {
         "default": {}, "each": {"writeControl": "timeStep"},
@@ -350,7 +356,7 @@ def test_rows_of_every_function_object(tmp_path, figures):
     t = times("solidEnergies", "each", "energies.dat")
     step = np.diff(t, prepend=0)
     part = np.floor(1000*t/endTime + 1e-6)
-    # Within half a step of the instants asked for, as OpenFOAM does it
+    # Within half a step of the wanted instants, as in OpenFOAM
     passed = np.floor((t + 0.5*step)/interval)
     rows = {"default": t[np.diff(part, prepend=-1) > 0], "each": t,
             "seventh": t[::7], "interval": t[np.diff(passed, prepend=-1) > 0],

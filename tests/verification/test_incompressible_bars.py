@@ -40,7 +40,7 @@ def difference(case, field, column):
 
 
 def gridEdges(X):
-    """Pairs of neighbours in the grid of the quads."""
+    """Pairs of neighbours in the grid of the quadrilaterals."""
     x, i = np.unique(np.round(X[:, 0], 9), return_inverse=True)
     y, j = np.unique(np.round(X[:, 1], 9), return_inverse=True)
     node = np.empty((len(x), len(y)), dtype=int)
@@ -50,7 +50,7 @@ def gridEdges(X):
 
 
 def meanCheckerboard(case, start):
-    """Of bar 1, mean over the times written from start on."""
+    """Mean checkerboard of bar 1 over the times written from start on."""
     X = case.points("bar1")
     front = np.flatnonzero(X[:, 2] > X[:, 2].mean())
     edges = gridEdges(X[front])
@@ -91,8 +91,8 @@ def test_pressure_and_release_of_theory(run, figures):
         f.atMost("the same of u_x of A, 8 elements",
                  difference(case, "pointD", "ux"), 2e-3)
 
-        # The double contact: A opens and moves back before it is hit again,
-        # while only the nodes next to the lateral surfaces touch
+        # The double contact: A separates and moves back before it is hit
+        # again. Meanwhile only the nodes next to the lateral surfaces touch
         window = (time > 8.3e-5) & (time < 1e-4)
         t, v = case.probe("pointA", "pointU")
         between = (t > 8.3e-5) & (t < 1e-4)
@@ -122,8 +122,8 @@ def test_checkerboard(run, figures):
 
 @scenes(*VOLUMES.values())
 def test_smoothed_volume(run, figures):
-    """Of the default scheme, nu = 0.4999: pressures do not alternate, as they
-    do where the volumes of the nodes are as they are."""
+    """With the default scheme and nu = 0.4999 pressures do not alternate. With
+    the volumes of the single nodes they do."""
     smoothed, nodal = (meanCheckerboard(run(VOLUMES[k]), 1.2e-4)
                        for k in ("automatic", "nodal"))
     with figures("3.3 bars, default, smoothed volume") as f:
@@ -143,8 +143,8 @@ def test_incompressible_limit(run, figures):
 
 
 def test_where_it_is(tmp_path, figures):
-    """What smooths a volume depends neither on the place of the body nor on
-    its directions."""
+    """The smoothing of the volume depends neither on the position of the body
+    nor on its directions."""
     def swings(name, start=(0, 0, 0), axes=(0, 1, 2)):
         def turned(X):
             Y = np.empty_like(X)

@@ -1,6 +1,7 @@
-"""Runs that do not begin at rest and without stress: stress by the field CpInv
-of the start time, contact that is pressed by it, earlier flow, a temperature,
-and the last time of another run. F0 is in test_initial_stretch.py."""
+"""Runs that do not start at rest and free of stress: stress by the field CpInv
+of the start time, contact that this stress presses, earlier plastic flow, a
+temperature, and the last time of another run. F0 is tested in
+test_initial_stretch.py."""
 
 import shutil
 
@@ -23,7 +24,7 @@ MIRRORS = {"bottom": "symmetryPlane", "top": "symmetryPlane"}
 
 
 def stress(stretch):
-    """Along a bar that was stretched so much, at constant volume."""
+    """Stress along a bar with this stretch at constant volume."""
     return 2*MU*np.log(stretch)
 
 
@@ -34,8 +35,8 @@ def block(name="body", start=0.0, cells=16, material=ELASTIC, **sides):
 
 
 def stretched(case, body, stretch):
-    """Give a body the initial stretch by CpInv, F0 F0^T: as if it had been
-    longer by it before it was meshed as it is."""
+    """Give a body the initial stretch by CpInv = F0 F0^T, as if it had been
+    longer by this stretch before it was meshed."""
     F0 = (stretch**2, 0, 0, stretch**-2, 0, 1)      # xx xy xz yy yz zz
     X = case.points(body.name)
     case.writePointField(body, "CpInv", "[0 0 0 0 0 0 0]",
@@ -43,8 +44,8 @@ def stretched(case, body, stretch):
 
 
 def residual(case):
-    """Largest residual of the balance of the energy, by that at first: the
-    leapfrog keeps the energy to second order of the step."""
+    """Largest residual of the energy balance, relative to the initial energy.
+    The leapfrog conserves the energy to second order of the step."""
     return largest(case.energies["total:balance"]
                    / case.energies["total:strain"][0])
 
@@ -58,7 +59,8 @@ def bar(folder, stretch, right, endTime, **control):
 
 @pytest.mark.parametrize("stretch", (1.3, 0.8))
 def test_held_bar_is_at_rest(tmp_path, figures, stretch):
-    """A bar under stress, in tension or in compression, held at both ends."""
+    """A bar under tensile or compressive stress, held at both ends, stays at
+    rest."""
     case = bar(tmp_path, stretch, HELD, 5.0).run()
     sigma = case.at("sigma")
     energies = case.energies
@@ -76,8 +78,8 @@ def test_held_bar_is_at_rest(tmp_path, figures, stretch):
 
 
 def test_expression(tmp_path, figures):
-    """CpInv by an expression, as the guide has it for F0: the stress at first
-    is that of a stretch which varies along the bar."""
+    """An expression sets CpInv, as in the guide for F0. The initial stress is
+    that of a stretch that varies along the bar."""
     case = bar(tmp_path, 1.0, HELD, 1e-9)
     case.write("system/body/setExprFieldsDict", "dictionary", """
 expressions
@@ -109,8 +111,8 @@ expressions
 
 
 def test_released_bar(tmp_path, figures):
-    """One end is free: it springs back with the wave of the closed form, which
-    is on its way through half of the bar here."""
+    """One end is free: the bar springs back with the wave of the closed form,
+    which has passed half of the bar here."""
     stretch = 1 + 1e-5
     time = 0.5*LENGTH/SPEED
     case, finer = (
@@ -125,7 +127,7 @@ def test_released_bar(tmp_path, figures):
                  U[X > LENGTH*(1 - 1e-6)].mean()/-v, 1, 0.02)
         f.atMost("velocity at its held end / closed form of the free one",
                  largest(U[X < 0.1*LENGTH])/v, 0.01)
-        # rho v^2/2 where the wave has been
+        # rho v^2/2 where the wave has passed
         f.within("kinetic energy / closed form", energies["total:kinetic"][-1]
                  / (0.5*RHO*v**2*SPEED*time*HEIGHT), 1, 0.05)
         f.atMost("balance / strain energy at first", residual(case), 5e-4)
@@ -134,7 +136,7 @@ def test_released_bar(tmp_path, figures):
 
 
 def test_ranks_and_restart(tmp_path, figures):
-    """Two ranks differ by round-off; a run that was stopped goes on to the last
+    """Two ranks differ by round-off. A restarted run is equal to the last
     bit."""
     release = (1.2, "tractionFree", 2.0)
     one = bar(tmp_path/"one", *release, writeInterval=1.0).run()
@@ -151,7 +153,7 @@ def test_ranks_and_restart(tmp_path, figures):
 
 
 def test_pressed_blocks_are_at_rest(tmp_path, figures):
-    """Two blocks whose surfaces coincide, and which press each other."""
+    """Two blocks with coincident surfaces, which press each other."""
     stretch = 0.9
     bodies = (block("left", right="contact"),
               block("right", LENGTH, left="contact", right=HELD))
@@ -183,8 +185,8 @@ def pulled(folder, endTime, right=PULLED, **control):
 
 
 def test_earlier_flow(tmp_path, figures):
-    """A metal that has flowed before, by epsilonPEq at the start, is one with
-    the yield stress that it has by then."""
+    """A metal with earlier plastic flow (epsilonPEq at the start) is equal to
+    a metal with the hardened yield stress."""
     before, right = 0.2, PULLED
     runs = {}
     for name in "flowed", "harder":
@@ -213,8 +215,8 @@ def test_earlier_flow(tmp_path, figures):
 
 
 def test_initial_temperature(tmp_path, figures):
-    """pointT at the start is taken instead of T0, to the last bit, and what is
-    hot yields earlier."""
+    """pointT at the start replaces T0, to the last bit, and hot metal yields
+    earlier."""
     hot = 800
     heat = {"cp": 1e-4, "beta": 0.9}
 
@@ -264,8 +266,9 @@ def test_states_that_none_can_have(tmp_path, what, CpInv, named):
 
 @pytest.mark.parametrize("with_", ("nothing", "displacement", "F0"))
 def test_elastic_strain(tmp_path, figures, with_):
-    """In place of CpInv, which is made to it whatever the deformation is: its
-    deviator makes the stress, and its trace counts for nothing."""
+    """elasticStrain replaces CpInv, which the run computes from it for any
+    deformation. Its deviator determines the stress; its trace has no
+    effect."""
     volume = {"nothing": 1, "displacement": 1.02**2, "F0": 0.97}[with_]
     body = block(right=HELD, cells=6)
     body.sides = {side: "symmetryPlane" for side in MIRRORS}
@@ -289,7 +292,8 @@ def test_elastic_strain(tmp_path, figures, with_):
 
 
 def test_elastic_strain_that_has_no_place(tmp_path):
-    """Not with CpInv, and not of a law that does not flow."""
+    """elasticStrain is refused together with CpInv, and with a law without
+    plastic flow."""
     for name, material, fields in (
             ("both", ELASTIC, ("CpInv", "elasticStrain")),
             ("rubber", {"type": "neoHookean", "rho": 1, "E": 1, "nu": 0.3},
@@ -311,7 +315,7 @@ def test_elastic_strain_that_has_no_place(tmp_path):
 
 
 def test_beyond_yield_by_a_displacement(tmp_path, figures):
-    """With a displacement, as mapState gives it, what is beyond the yield
+    """With a displacement, as mapState gives it, the stress beyond the yield
     stress flows in the first step."""
     body = block(material=METAL)
     body.displacement = lambda X: 0.1*X*(1, 0, 0)
@@ -324,16 +328,16 @@ def test_beyond_yield_by_a_displacement(tmp_path, figures):
 
 
 def takeOver(case, first, time):
-    """Begin a case with a time of another run on the same mesh: its folder, but
-    with the boundary conditions, which pointU has, of the case."""
+    """Start a case with a time of another run on the same mesh: copy its
+    folder, but keep the boundary conditions (pointU) of the case."""
     shutil.copytree(first/time, case/time)
     shutil.copy(case/"0"/"body"/"pointU", case/time/"body")
 
 
 def test_last_time_of_another_run(tmp_path, figures):
-    """A bar is pulled until it yields. The run that takes over from its middle
-    is the rest of it to the last bit, and one that lets go begins with the same
-    state."""
+    """A bar is pulled until it yields. A run that takes over from the middle
+    time equals the rest of the run to the last bit. A run that releases the
+    bar starts with the same state."""
     whole = pulled(tmp_path/"whole", 2.0, writeInterval=1.0).run()
     rest = pulled(tmp_path/"rest", 2.0, writeInterval=1.0)
     free = {"right": "tractionFree", "writeInterval": 1.0}

@@ -1,6 +1,6 @@
 """Bodies that were stretched before they had the shape of their mesh, by the
 field F0: stress in closed form, springing back, waves, the same body meshed
-before and after the stretch, restart and ranks, and what is refused."""
+before and after the stretch, restart and ranks, and refused input."""
 
 import shutil
 
@@ -26,7 +26,7 @@ def law(kind, **more):
 
 
 def energy(kind, F):
-    """Per volume of the natural state."""
+    """Energy per volume of the natural state."""
     if kind == "linearElastic":
         e = (F + F.T)/2 - np.eye(3)
         return MU*np.sum(e*e) + (KAPPA - 2*MU/3)/2*np.trace(e)**2
@@ -44,7 +44,7 @@ def energy(kind, F):
 
 
 def cauchy(kind, F):
-    """Stress of a deformation from the natural state."""
+    """Cauchy stress of a deformation from the natural state."""
     one = np.eye(3)
     if kind == "linearElastic":
         e = (F + F.T)/2 - one
@@ -65,12 +65,12 @@ def cauchy(kind, F):
 
 
 def components(S):
-    """As OpenFOAM writes a symmetric tensor."""
+    """A symmetric tensor as OpenFOAM writes it."""
     return S[[0, 0, 0, 1, 1, 2], [0, 1, 2, 1, 2, 2]]
 
 
 def stretch(case, body, F0):
-    """Give a body its F0, one for all or that of each point."""
+    """Give a body F0, one value for all points or one for each point."""
     X = case.points(body.name)
     F = np.array([F0(x) for x in X]) if callable(F0) else np.tile(
         np.asarray(F0, dtype=float), (len(X), 1, 1))
@@ -93,7 +93,8 @@ STRETCHES = {
 @pytest.mark.parametrize("dimensions", STRETCHES)
 @pytest.mark.parametrize("kind", LAWS)
 def test_clamped_block(tmp_path, figures, kind, dimensions):
-    """It is at rest, with the stress and the energy of the closed form."""
+    """The clamped block is at rest, with the stress and the energy of the
+    closed form."""
     F0 = np.array(STRETCHES[dimensions])
     body = Body(cells=(4, 3, 3)[:dimensions], material=law(kind),
                 size=(1, 0.75, 0.75)[:dimensions] + (1,)*(3 - dimensions),
@@ -118,8 +119,8 @@ def test_clamped_block(tmp_path, figures, kind, dimensions):
 
 @pytest.mark.parametrize("kind", LAWS)
 def test_springs_back(tmp_path, figures, kind):
-    """A damped free block comes to rest where it has no stress: F F0 is a
-    rotation, or F + F0 - I is I."""
+    """A damped free block comes to rest free of stress: F F0 is a rotation, or
+    F + F0 - I = I."""
     F0 = np.array(((1.25, 0.1, 0), (0.1, 0.85, 0), (0, 0, 1)))
     body = Body(cells=(6, 6), material=law(kind))
     case = make(tmp_path, body, F0, 40.0, maxCo=0.9, damping={
@@ -141,9 +142,9 @@ def test_springs_back(tmp_path, figures, kind):
 @pytest.mark.parametrize("s", (0.7, 1.5))
 @pytest.mark.parametrize("kind", LAWS)
 def test_waves_of_a_stretched_bar(tmp_path, figures, kind, s):
-    """The standing wave of a bar that is held at both ends, in its length that
-    it has as it is meshed: c^2 = d2W/dl^2 s^2/(J0 rho), and the density is that
-    of the mesh."""
+    """The standing wave of a bar that is held at both ends. With the length of
+    the mesh c^2 = d2W/dl^2 s^2/(J0 rho), and the density is that of the
+    mesh."""
     lateral = 0.9
     l = s if kind != "linearElastic" else 1
     J0 = s*lateral**2 if kind != "linearElastic" else 1
@@ -164,7 +165,7 @@ def test_waves_of_a_stretched_bar(tmp_path, figures, kind, s):
     mode = np.sin(np.pi*X)
     amplitude = np.sum(mode*U)/np.sum(mode*mode)
     with figures(f"standing wave, {kind}, stretch {s}") as f:
-        # v cos(pi c t) goes through 0 there
+        # v cos(pi c t) is 0 there
         f.within("speed / theory", 1 + amplitude/v/(np.pi*c*time), 1, 1e-3)
         f.atLeast("displacement / theory",
                   largest(case.at("pointD"))/(v/np.pi/c), 0.98)
@@ -173,9 +174,9 @@ def test_waves_of_a_stretched_bar(tmp_path, figures, kind, s):
 @pytest.mark.parametrize("kind", ("neoHookean", "MooneyRivlin",
                                   "HenckyVonMises"))
 def test_meshed_before_and_after(tmp_path, figures, kind):
-    """A block that is let go in a stretched state: meshed without stress, and
-    displaced; or meshed as it is let go, with F0 and the density that it has
-    there. Both with the same nodes, cell by cell."""
+    """A block is released in a stretched state. It is meshed without stress
+    and displaced; or it is meshed as it is released, with F0 and the density
+    of this state. Both have the same nodes and cells."""
     A = np.array((1.3, 0.9, 1.0))
     J0 = np.prod(A)
     sides = {"left": "symmetryPlane", "bottom": "symmetryPlane"}
@@ -213,9 +214,10 @@ LET_GO = [(kind, nu, s) for kind, nu in (
 
 @pytest.mark.parametrize("kind, nu, s", LET_GO)
 def test_released_at_once(tmp_path, figures, kind, nu, s):
-    """Strongly stretched blocks that are let go, with the usual share of the
-    stable step: the bound of the step is safe, and the energy is kept to second
-    order of the step, of HenckyVonMises as with a displacement instead."""
+    """Strongly stretched blocks are released, with the default share of the
+    stable step. The bound of the step is safe, and the energy is conserved to
+    second order of the step; for HenckyVonMises as well as with a displacement
+    instead of F0."""
     body = Body(cells=(4, 4, 4), material={**law(kind), "nu": nu})
     case = make(tmp_path, body, np.diag((s, s**-0.5, s**-0.5)), 8.0,
                 maxCo=0.9).run()
@@ -253,12 +255,13 @@ expressions
 """
 
 
-#: Above what EXPRESSION makes of the other constants
+#: These yield above the stresses of EXPRESSION with the other constants
 METAL = {"tauY": 0.26, "Hardening": 0.1}
 
 
 def expressed(folder, kind, nu):
-    """A block whose F0 varies as no motion does, set by setExprFields."""
+    """A block whose F0 is not the gradient of a motion, set by
+    setExprFields."""
     metal = kind == "HenckyVonMises"
     body = Body(cells=(8, 8), material=law(
         kind, nu=nu, **METAL if metal else {}), sides={"left": HELD},
@@ -272,8 +275,8 @@ def expressed(folder, kind, nu):
 @pytest.mark.parametrize("kind, nu", (
     ("neoHookean", 0.3), ("neoHookean", 0.49), ("HenckyVonMises", 0.3)))
 def test_expression_ranks_and_restart(tmp_path, figures, kind, nu):
-    """Two ranks differ by round-off; a run that was stopped goes on to the last
-    bit, with the F0 of the time that it goes on from, also where it flows."""
+    """Two ranks differ by round-off. A restarted run is equal to the last bit,
+    with the F0 of its start time, also with plastic flow."""
     one = expressed(tmp_path/"one", kind, nu).run()
     two = expressed(tmp_path/"two", kind, nu).runParallel(2)
     x, y = one.X()[:, 0], one.X()[:, 1]
@@ -304,7 +307,8 @@ def test_expression_ranks_and_restart(tmp_path, figures, kind, nu):
 
 @pytest.mark.parametrize("kind", ("neoHookean", "HenckyVonMises"))
 def test_scaled_to_a_step(tmp_path, figures, kind):
-    """massScaling to a step knows the waves of the stretch."""
+    """massScaling to a step takes the wave speeds of the stretched state into
+    account."""
     body = Body(cells=(6, 6), material=law(kind),
                 sides=dict.fromkeys(SIDES[:4], HELD))
     step = 0.2
@@ -318,9 +322,9 @@ def test_scaled_to_a_step(tmp_path, figures, kind):
 
 @pytest.mark.parametrize("mean", (-0.06, 0.06))
 def test_flow_under_mean_stress(tmp_path, figures, mean):
-    """A metal that is pulled until it flows, with a mean stress at the start:
-    strained by hand, the same everywhere, it is at the closed form, and the
-    balance of the energy closes with the work of the flow."""
+    """A metal with a mean stress at the start is strained uniformly until it
+    flows. It agrees with the closed form, and the energy balance closes with
+    the work of the flow."""
     F0, s, H = np.exp(mean)*np.eye(3), 0.1, 0.3
     tauY, J0 = 0.04, np.exp(3*mean)
     body = Body(cells=(6, 6, 6), material=law(
@@ -330,7 +334,8 @@ def test_flow_under_mean_stress(tmp_path, figures, mean):
             "right": condition("fixedVelocity", velocity=(s, 0, 0))})
     case = make(tmp_path, body, F0, 2.0, maxCo=0.3).run()
     l = 1 + 2*s
-    # Deviator of the logarithm along the bar, and what is left by the flow
+    # Deviator of the logarithm along the bar, and the part that the flow
+    # leaves
     q = 2*MU*np.log(l)
     flow = (q - tauY)/(3*MU + H)
     q -= 3*MU*flow
@@ -360,7 +365,7 @@ BAD = {
     "turned inside out": ({}, {}, np.diag((-1, 1, 1)),
                           ("F0", "internalField", "positive")),
     "out of the plane": ({}, {}, SHEARED,
-                         ("F0", "internalField", "left out")),
+                         ("F0", "internalField", "leaves out")),
     "one direction": ({}, {"cells": (3,)}, np.diag((1, 1, 1.1)),
                       ("F0", "internalField", "same stretch"))}
 

@@ -1,4 +1,4 @@
-"""Time integrators and presets: order, conservation, restart, ranks."""
+"""Time integrators and presets: order, conservation, restart, and ranks."""
 
 import numpy as np
 import pytest
@@ -11,7 +11,7 @@ LINEAR = {"type": "linearElastic", "rho": 1, "E": 1, "nu": 0.3}
 
 
 def rotating(X):
-    """A rotation, and a stretch that vibrates."""
+    """A rotation with a vibrating stretch."""
     x, y = (X[:, :2] - 0.5).T
     return np.column_stack((0.2*y + 0.1*x, -0.2*x - 0.05*y, 0*x))
 
@@ -29,7 +29,7 @@ def block(folder, integrator, end, control=None, **body):
 
 
 def impact(folder, control, scheme=None):
-    """Two blocks that meet, with meshes that do not match."""
+    """Two blocks collide; their meshes do not match."""
     bodies = (Body(cells=(5, 4), name="left", velocity=(0.1, 0.02, 0),
                    sides={"right": "contact"}, scheme=scheme or {}),
               Body(cells=(4, 3), name="right", start=(1.02, 0.1, 0),
@@ -44,7 +44,7 @@ def impact(folder, control, scheme=None):
 
 @pytest.mark.parametrize("integrator", INTEGRATORS)
 def test_order_in_time(tmp_path, figures, integrator):
-    """Differences from a run with a sixteenth of the shortest step; without
+    """Differences from a run with a sixteenth of the shortest step. Without
     limiter and change of areas, rates are smooth functions of the state."""
     def state(n):
         case = block(tmp_path/f"n{n}", integrator, 1, {
@@ -78,7 +78,8 @@ def test_momentum_is_kept(tmp_path, figures, integrator):
     ({"timeIntegrator": "TVDRK3"}, {"waveSpeed": "stretched"}),
 ), ids=("fast", "accurate", "symplecticEuler", "TVDRK3 stretched"))
 def test_ranks_and_restart(tmp_path, figures, control, scheme):
-    """The same on three ranks, and, to the last bit, after a restart."""
+    """Three ranks give the same, and a restarted run is equal to the last
+    bit."""
     serial = impact(tmp_path/"serial", control, scheme).run()
     parallel = impact(tmp_path/"parallel", control, scheme)
     parallel.runParallel(3, "random")
@@ -102,8 +103,8 @@ def test_ranks_and_restart(tmp_path, figures, control, scheme):
 
 @pytest.mark.parametrize("integrator", INTEGRATORS)
 def test_energy_of_an_impact(tmp_path, figures, integrator):
-    """Energy of an impact. The one of symplecticEuler oscillates with dt/2
-    times its rate, where it is written: it is not a bound."""
+    """Energy of an impact. The energy of symplecticEuler, as written,
+    oscillates with dt/2 times its rate: it is not a bound."""
     case = impact(tmp_path/"case", {"timeIntegrator": integrator, "maxCo": 0.4},
                   scheme(integrator)).run()
     E = case.totalEnergy

@@ -1,4 +1,4 @@
-"""mapState: a case begins with the state of another one, on another mesh."""
+"""mapState: a case starts with the state of another case on another mesh."""
 
 import shutil
 
@@ -30,7 +30,7 @@ SLOPE3 = SLOPE + np.array(((0, 0, 0.04), (0, 0, -0.01), (0.02, 0.03, 0.06)))
 
 @pytest.mark.parametrize("dimensions", (1, 2, 3))
 def test_linear_fields(tmp_path, figures, dimensions):
-    """They are kept to round-off, from any mesh to any other one."""
+    """Linear fields are kept to round-off, from any mesh to any other mesh."""
     slope = np.zeros((3, 3))
     slope[:dimensions, :dimensions] = SLOPE3[:dimensions, :dimensions]
 
@@ -54,7 +54,7 @@ def test_linear_fields(tmp_path, figures, dimensions):
 
 
 def test_curved_surface(tmp_path, figures):
-    """Points of a finer mesh lie outside those of a coarser one."""
+    """Points of the finer mesh lie outside the coarser mesh."""
     def ring(cells, **fields):
         return Body(cells=cells, start=(1, 0, 0), size=(0.5, 1, 1), moved=polar,
                     **fields)
@@ -68,8 +68,8 @@ def test_curved_surface(tmp_path, figures):
 
 
 def test_preload(tmp_path, figures):
-    """A block that has come to rest under its weight, on a coarse mesh, hardly
-    moves on a finer one."""
+    """A block that has come to rest under its weight on a coarse mesh hardly
+    moves on a finer mesh."""
     def block(n):
         return Body(cells=(n, n), sides={"bottom": HELD})
     g = {"gravity": (0, -0.1, 0)}
@@ -91,8 +91,8 @@ def test_preload(tmp_path, figures):
 
 
 def test_metal_that_has_flowed(tmp_path, figures):
-    """The stress and epsilonPEq of a metal, pointT of a hot one, from a given time;
-    what another region has begins as it would."""
+    """The stress and epsilonPEq of a metal and pointT of a hot metal are
+    mapped, from a given time. Fields of other regions start as usual."""
     pulled = condition("fixedVelocity", velocity=(0.05, 0, 0),
                        components=("x",))
     metal = {"type": "HenckyVonMises", "rho": 1, "E": 1, "nu": 0.3,
@@ -128,8 +128,9 @@ def test_metal_that_has_flowed(tmp_path, figures):
 
 @pytest.mark.parametrize("cells", ((16, 12), (11, 7)))
 def test_metal_that_was_bent(tmp_path, figures, cells):
-    """The elastic strain is a hundredth of the plastic one, and is kept: from
-    displacements and CpInv each by itself came nine times the energy."""
+    """The elastic strain is a hundredth of the plastic strain, and is kept.
+    When displacements and CpInv were mapped separately, the energy became nine
+    times as large."""
     metal = {"type": "HenckyVonMises", "rho": 1, "mu": 400, "kappa": 1000,
              "tauY": 5, "Hardening": 20}
 
@@ -151,7 +152,7 @@ def test_metal_that_was_bent(tmp_path, figures, cells):
 
 
 def test_metal_that_has_not_flowed(tmp_path, figures):
-    """It begins as elastic bodies do: without a plastic state."""
+    """The metal starts as elastic bodies do: without a plastic state."""
     metal = {"type": "HenckyVonMises", "rho": 1, "E": 1, "nu": 0.3, "tauY": 10}
 
     def block(n):
@@ -170,7 +171,7 @@ def test_metal_that_has_not_flowed(tmp_path, figures):
 
 @pytest.mark.parametrize("dimensions", (2, 3))
 def test_on_two_ranks(tmp_path, figures, dimensions):
-    """A case that is decomposed gets what it gets before it is."""
+    """A decomposed case gets the same state as before the decomposition."""
     def body(n, **fields):
         return Body(cells=(n, n + 1, n - 1)[:dimensions], **fields)
     source = make(tmp_path/"source", body(
@@ -195,7 +196,7 @@ def test_on_two_ranks(tmp_path, figures, dimensions):
 
 @pytest.mark.parametrize("handler", ("masterUncollated", "collated"))
 def test_file_handlers(tmp_path, figures, handler):
-    """The other case has files of its own, whatever those of this one are."""
+    """The other case may use another file handler than this case."""
     chosen = ("-fileHandler", handler)
     source = make(tmp_path/"source", Body(
         cells=(5, 5), displacement=lambda X: 0.1*X))
@@ -214,8 +215,9 @@ def test_file_handlers(tmp_path, figures, handler):
 
 
 def test_two_parts_of_a_body(tmp_path, figures):
-    """A point outside of a coarse mesh is of the part that it bulges from, not
-    of one across a slit whose small cells have their centres nearer."""
+    """A point outside a coarse mesh belongs to the part that bulges there. It
+    does not belong to a part across a slit, although small cells of that part
+    have closer centres."""
     def bent(X):
         s = (0.5 - X[:, 0])*6
         bulge = np.where(s > 1, 0.09*np.sin(3*np.pi*(s - 1)/2)**2, 0)
@@ -241,9 +243,9 @@ def test_two_parts_of_a_body(tmp_path, figures):
 
 
 def test_stuck(tmp_path, figures):
-    """A block that friction holds on a wall, its weight along it, hangs on
-    where it has come to rest: it is pulled back to where it began to stick,
-    and does not begin to stick anew."""
+    """Friction holds a block on a wall, with the weight along the wall. The
+    mapped block hangs where it came to rest: it is pulled back to the point
+    where it began to stick, and does not begin to stick at a new point."""
     def block(n):
         return Body(cells=(n, n), sides={
             "left": "contact", "right": condition("traction",
@@ -285,10 +287,10 @@ def test_bad_input(tmp_path):
     assert "(other)" in message and "(body)" in message
     ran = make(tmp_path/"ran", body, 0.05).run()
     before = ran.field("0.05", "body", "pointU")
-    assert "this case has run to here" in bad(ran, str(source.path))
+    assert "this case has run to this time" in bad(ran, str(source.path))
     (ran/"0.05"/"uniform"/"solidSystem").unlink()
     message = bad(ran, str(source.path))
-    assert "this case has run to here" in message and "body/lm" in message
+    assert "this case has run to this time" in message and "body/lm" in message
     assert np.array_equal(before, ran.field("0.05", "body", "pointU"))
 
     stale = make(tmp_path/"stale", body)
@@ -296,9 +298,9 @@ def test_bad_input(tmp_path):
 dimensions [0 0 0 0 0 0 0]; internalField uniform (1.1 0 0 0 1 0 0 0 1);
 boundaryField { ".*" { type calculated; } "front|back" { type empty; } }""")
     message = bad(stale, str(source.path))
-    assert "body/F0" in message and "the other case has none" in message
+    assert "body/F0" in message and "the other case has no such" in message
 
-    # What is wrong with one region is found before another one is written
+    # A fault of one region is found before any other region is written
     def pair(**first):
         return [Body(cells=(4, 4), name="a", **first),
                 Body(cells=(4, 4), name="b", start=(3, 0, 0))]
@@ -322,7 +324,7 @@ boundaryField { ".*" { type calculated; } "front|back" { type empty; } }""")
     assert "later time 0.05" in message and "reconstructPar" in message
 
     (source/"0"/"body"/"pointU").unlink()
-    assert "no pointU" in bad(
+    assert "no field pointU" in bad(
         make(tmp_path/"same", body), str(source.path), "-sourceTime", "0")
     for each, region in (case, "body"), (other, "other"):
         assert not (each/"0"/region/"pointD").exists()

@@ -14,12 +14,12 @@ SYMMETRIC = dict.fromkeys(("left", "right", "back", "front"), "symmetryPlane")
 
 
 def angular(case):
-    """Total angular momentum in time."""
+    """Total angular momentum by time."""
     return np.array([sum(case.momentum[f"{body.name}:L{c}"]
                          for body in case.bodies) for c in "xyz"]).T
 
 
-# Two blocks meet, the upper one shifted along the surface
+# Two blocks collide; the upper one is shifted along the surface
 
 def blocks(low, high, shift=0.3, gap=0.01, speed=0.05):
     aside = shift*(np.arange(3) < len(low))*(1, 0, 0.5)
@@ -55,7 +55,8 @@ MESHES = {"1:1": ((8, 8), (8, 8)), "1:1.4": ((8, 8), (11, 11)),
 @pytest.mark.parametrize("pairing", ("matching", "AMI", "nearestFace"))
 @pytest.mark.parametrize("ratio", MESHES)
 def test_momentum_whatever_the_meshes(tmp_path, figures, ratio, pairing):
-    """Linear momentum is kept whatever the meshes, and energy is not made."""
+    """Linear momentum is conserved for all meshes, and energy does not
+    grow."""
     same = ratio == "1:1"
     if pairing == "matching" and not same:
         return
@@ -71,12 +72,13 @@ def test_momentum_whatever_the_meshes(tmp_path, figures, ratio, pairing):
         checkEnergies(f, case, balance=3e-3, own=2e-3)
 
 
-# Each number of ranks once: more than there are cores take their time
+# Each number of ranks once: more ranks than cores take long
 @pytest.mark.parametrize("pairing", ("AMI", "nearestFace"))
 @pytest.mark.parametrize("ranks, ratio", (
     (2, "1:16"), (3, "3D 1:1.5"), (4, "3D 1:4")))
 def test_momentum_on_ranks(tmp_path, figures, ratio, pairing, ranks):
-    """The same on several ranks, with the fields of the serial run."""
+    """Several ranks conserve momentum, too, and give the fields of the serial
+    run."""
     cases = [collide(tmp_path/str(n), blocks(*MESHES[ratio]), n, endTime=0.4,
                      pairing=pairing) for n in (1, ranks)]
     with figures(f"blocks meet, faces {ratio}, {pairing}, {ranks} ranks") as f:
@@ -91,7 +93,8 @@ def test_momentum_on_ranks(tmp_path, figures, ratio, pairing, ranks):
 
 
 def test_two_way_loses_momentum(tmp_path, figures):
-    """What the paper's mapping loses, and why it is not the default."""
+    """The momentum that the paper's mapping loses, which is why it is not the
+    default."""
     change = [momentumChange(collide(
         tmp_path/name, blocks(*MESHES["1:1.4"]), pairing="AMI",
         transfer=name)) for name in ("conservative", "twoWay")]
@@ -102,8 +105,8 @@ def test_two_way_loses_momentum(tmp_path, figures):
 
 
 def test_angular_momentum_whatever_the_meshes(tmp_path, figures):
-    """Forces act at the centroids of overlaps on both sides: angular momentum
-    changes by force times gap only, which falls with the mesh."""
+    """Forces act at the centroids of overlaps on both sides. So angular
+    momentum changes by force times gap, which falls with the cell size."""
     changes = []
     for n in (4, 6), (8, 11), (16, 22), (32, 44):
         case = collide(tmp_path/str(n[0]), blocks(*((m, m) for m in n)),
@@ -121,8 +124,9 @@ def test_angular_momentum_whatever_the_meshes(tmp_path, figures):
 @pytest.mark.parametrize("dimensions", (2, 3))
 def test_angular_momentum_across_gap(tmp_path, figures, dimensions, distance,
                                      friction):
-    """The default scheme: forces of both sides act at one point, whatever gap
-    is between them, and however far they slide until they are paired anew."""
+    """In the default scheme, the forces on both sides act at the same point,
+    whatever the gap between them, and however far they slide until the next
+    pairing."""
     def spin(sign):
         return lambda X: np.array((0.1, 0.3*sign, 0)) + 0.2*np.cross(
             (0, 0, 1), X - 0.5)
@@ -153,7 +157,7 @@ def test_angular_momentum_across_gap(tmp_path, figures, dimensions, distance,
 def compressed(folder, low, high, ranks=1, moved=None, scheme=None,
                **settings):
     """Two blocks between mirrors, compressed by a tenth, under the pressure
-    that holds them. Returns the largest error of the stress and velocity."""
+    that holds them. Returns the largest errors of the stress and velocity."""
     stretch = 0.9
     mu, kappa = 0.5/1.3, 1/1.2          # RUBBER
     b = np.diag((1, stretch**2, 1))
@@ -201,7 +205,7 @@ def test_uniform_pressure_crosses(tmp_path, figures, name):
                 transfer=transfer, **more)
             with figures(f"uniform pressure, {name}, {pairing}, "
                          f"{transfer}") as f:
-                # Means over what is covered of a corner, as in the paper, are
+                # Means over the covered part of a corner, as in the paper, are
                 # not exact on distorted faces
                 exact = transfer == "conservative" or not more
                 f.atMost("error of the stress / pressure", stress,
@@ -211,7 +215,8 @@ def test_uniform_pressure_crosses(tmp_path, figures, name):
 
 @pytest.mark.parametrize("name", PATCHES)
 def test_uniform_pressure_crosses_default(tmp_path, figures, name):
-    """The same by the default scheme, to round-off on all of these meshes."""
+    """The same with the default scheme, to round-off on all of these
+    meshes."""
     low, high, only, more = PATCHES[name]
     for pairing in (only,) if only else ("AMI", "nearestFace"):
         stress, velocity = compressed(
@@ -232,10 +237,10 @@ def test_uniform_pressure_crosses_native(tmp_path, figures):
         f.atMost("velocity / c", velocity, 1e-12)
 
 
-# Contact nobody predicted
+# Contact that could not be predicted
 
 def test_pairings_agree(tmp_path, figures):
-    """AMI and nearestFace where both apply."""
+    """AMI and nearestFace agree where both can be used."""
     peaks = [max(abs(collide(
         tmp_path/pairing, blocks((8, 8), (11, 11), shift=0),
         pairing=pairing).contact("contact")["low.top:Fy"]))
@@ -252,8 +257,8 @@ def timesPaired(case, ranks):
 
 
 def pairings(folder, ranks, low, high, **control):
-    """How often two blocks are paired, less than a face apart, that have
-    velocities in widths of a face per unit of time."""
+    """Number of pairings of two blocks at a distance of less than a face.
+    Their velocities are in face widths per unit of time."""
     width = 1/8
     bodies = blocks((8, 8), (8, 8), shift=0, gap=0.9*width, speed=0)
     for body, speed in zip(bodies, (low, high)):
@@ -266,9 +271,9 @@ def pairings(folder, ranks, low, high, **control):
 
 @pytest.mark.parametrize("ranks", (1, 2))
 def test_paired_again_by_what_slides(tmp_path, figures, ranks):
-    """What moves along its normal meets what it would have met: only what moves
-    along its surface is paired again. What both have in common does not count,
-    also if it comes to an end."""
+    """A surface that moves along its normal stays opposite the same faces.
+    Only motion along the surface causes a new pairing. The common motion of
+    both bodies does not count, even if it stops."""
     way = 0.35*np.eye(3)
     with figures(f"paired again, {ranks} ranks") as f:
         f.equal("while they approach", pairings(
@@ -281,8 +286,8 @@ def test_paired_again_by_what_slides(tmp_path, figures, ranks):
 
 
 def searches(folder, bodies, ranks, **how):
-    """How often bodies, all of whose sides may meet, are paired in a second
-    in which they turn."""
+    """Number of pairings of bodies in one second of rotation, when all of
+    their sides may touch."""
     case = SmallCase(folder, bodies, 1, {"all": {"surfaces": "all", **how}},
                      preset=DEFAULT,
                      control={"functions": {}, "writeInterval": 1})
@@ -291,9 +296,9 @@ def searches(folder, bodies, ranks, **how):
 
 @pytest.mark.parametrize("ranks", (1, 2))
 def test_paired_again_by_what_is_near(tmp_path, figures, ranks):
-    """Sides of one block that are no neighbours are far from each other; and of
-    two bars that turn about a point between their ends, what is far from there
-    moves the most and meets nothing."""
+    """Sides of one block that are not neighbours are far from each other. Of
+    two bars that rotate about a point between their ends, the distant parts
+    move most and touch nothing."""
     width, angle = 1/8, 0.5
     sides = {s: "contact" for s in ("left", "right", "bottom", "top")}
 
@@ -318,8 +323,8 @@ def test_paired_again_by_what_is_near(tmp_path, figures, ranks):
 @pytest.mark.parametrize("surfaces", ("named", "all"))
 @pytest.mark.parametrize("turn", (0, 1))
 def test_where_the_plane_lies_does_not_count(tmp_path, figures, turn, surfaces):
-    """A block slides over eight of its faces. In 2D the meshes may begin
-    anywhere along the direction that is left out, each where it likes."""
+    """A block slides over eight of its faces. In 2D the two meshes may start
+    anywhere along the direction that is left out."""
     def slide(name, block, base):
         def placed(X):
             return np.roll(X, turn, axis=1)
@@ -349,7 +354,8 @@ def test_where_the_plane_lies_does_not_count(tmp_path, figures, turn, surfaces):
 
 @pytest.mark.parametrize("pairing", ("AMI", "nearestFace"))
 def test_bond_of_planes_that_lie_elsewhere(tmp_path, figures, pairing):
-    """Nor does it count for what is tied, and checkContact finds nothing."""
+    """The position does not matter for tied surfaces either, and checkContact
+    finds no fault."""
     def pull(name, place):
         block = Body((6, 3), name="block", start=(0.2, 1.01, place),
                      size=(1, 0.5, 1), sides={"bottom": "contact"},
@@ -375,8 +381,8 @@ def test_bond_of_planes_that_lie_elsewhere(tmp_path, figures, pairing):
 
 @pytest.mark.parametrize("ranks", (1, 2))
 def test_nothing_happens_between_what_passes(tmp_path, figures, ranks):
-    """All outer surfaces of three blocks in each other's sight: one passes the
-    other at a hundredth of a cell, the third moves away. Nothing happens."""
+    """All outer surfaces of three blocks may touch. One block passes another
+    at a hundredth of a cell, the third moves away. No contact acts."""
     names = "low", "passing", "parting"
     everything = dict.fromkeys(SIDES, "contact")
     starts = (0, 0, 0), (-0.4, 1.002, 0), (1.05, 0, 0)
@@ -404,8 +410,8 @@ def test_nothing_happens_between_what_passes(tmp_path, figures, ranks):
 
 
 def test_corners_of_other_faces_do_not_match(tmp_path, figures):
-    """Of a face over four smaller ones, with corners in the same places: pairs
-    of these would pull a face towards half of itself."""
+    """A face over four smaller faces that have corners in the same places.
+    Pairs of these corners would pull a face towards half of itself."""
     low = Body(cells=(1, 1), name="low", sides={"top": "contact"})
     high = Body(cells=(4, 3), name="high", start=(0.1, 1, 0),
                 size=(0.8, 0.5, 1), velocity=(0, -0.1, 0),
@@ -419,7 +425,7 @@ def test_corners_of_other_faces_do_not_match(tmp_path, figures):
 
 
 def test_several_interfaces_on_a_patch(tmp_path, figures):
-    """Two small blocks fall on one side of a large one, symmetrically."""
+    """Two small blocks fall symmetrically on one side of a large block."""
     base = Body(cells=(24, 6), name="base", size=(3, 1, 1),
                 sides={"top": "contact"})
     small = [Body(cells=(5, 5), name=name, start=(x, 1.01, 0),
@@ -444,14 +450,16 @@ def test_several_interfaces_on_a_patch(tmp_path, figures):
 
 
 def bent(X):
-    """A block as a ring that is open by 20 degrees, x along the radius."""
+    """A block bent to a ring that is open by 20 degrees; x is along the
+    radius."""
     r, a = 0.9 + 0.2*X[:, 0], np.radians(-80 + 340*X[:, 1])
     return np.stack((r*np.cos(a), r*np.sin(a), X[:, 2]), axis=1)
 
 
 @pytest.mark.parametrize("ranks", (1, 2))
 def test_self_contact(tmp_path, figures, ranks):
-    """An open ring closes: its ends meet, then its inner side meets itself."""
+    """An open ring closes: its ends touch, and then its inner side touches
+    itself."""
     body = Body(cells=(4, 64), moved=bent, sides={
         "bottom": "contact", "top": "contact", "left": "contact"},
         velocity=lambda X: -0.35*X*(1, 0, 0))
@@ -476,8 +484,8 @@ def test_self_contact(tmp_path, figures, ranks):
 # Friction
 
 def test_sliding_stops_as_friction_says(tmp_path, figures):
-    """A block slides over a longer one with another mesh with the deceleration
-    k g, and stops."""
+    """A block slides over a longer block with another mesh. Its deceleration
+    is k g until it stops."""
     k, g, speed, h = 0.3, 0.02, 0.06, 0.5
     def settle(X):
         y = X[:, 1:2]
@@ -518,10 +526,9 @@ def test_sliding_stops_as_friction_says(tmp_path, figures):
 @pytest.mark.parametrize("first", ("block", "base"))
 def test_uniform_pressure_while_sliding(tmp_path, figures, first, dimensions,
                                         distance, distortion):
-    """A block under a uniform pressure slides, in 3D obliquely, on a flat rigid
-    body with other faces, by ten of them: its strain stays as it is, however
-    far nodes move until they are paired again, and whichever side is the
-    first."""
+    """A block under a uniform pressure slides by ten faces (in 3D obliquely)
+    on a flat rigid body with other faces. Its strain stays constant, however
+    far nodes move between pairings, and whichever side is the first."""
     strain, elastic = 0.01, {"type": "linearElastic", "rho": 1, "E": 1, "nu": 0}
     block = Body(
         cells=(7, 3, 5)[:dimensions], name="block", material=elastic,
@@ -545,7 +552,8 @@ def test_uniform_pressure_while_sliding(tmp_path, figures, first, dimensions,
         control={"maxCo": 0.9, "writeInterval": 5/3}).run()
     F = [case.at("F", t, "block").reshape(-1, 9)[:, 4] for t in case.times[1:]]
     force = case.contact("contact")["block.bottom:Fy"]
-    # Where nodes differ in how they give way, to second order in the way
+    # If nodes differ in their compliance, the error is of second order in the
+    # distance
     limit = {0.1: 3e-4, 0.4: 2e-3}[distance] if distortion else 1e-10
     with figures(f"sliding, {dimensions}D, {distance} of a face, distorted by "
                  f"{distortion}") as f:
@@ -561,8 +569,8 @@ def test_uniform_pressure_while_sliding(tmp_path, figures, first, dimensions,
 @pytest.mark.parametrize("law", ("frictionless", coulomb(0.3)), ids=(
     "frictionless", "friction"))
 def test_order_of_sides(tmp_path, figures, law, dimensions):
-    """Blocks that meet, slide along each other and off: which of the sides is
-    the first makes no difference."""
+    """Blocks collide, slide along each other and separate. The order of the
+    sides makes no difference."""
     blocks = (
         Body((4, 4, 3)[:dimensions], name="a", sides={"right": "contact"},
              velocity=(0.1, 0.1, 0.03*(dimensions == 3))),

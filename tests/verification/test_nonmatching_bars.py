@@ -22,7 +22,7 @@ scenes = pytest.mark.scenes
 
 
 def force(case):
-    """Of the contact, in time."""
+    """Contact force by time."""
     return np.abs(case.contact("bars")["bar1.right:Fx"])
 
 
@@ -65,7 +65,7 @@ def test_coarse_bars_close_their_balances(run, figures, scene):
                  1e6*contact["Time"][contact["area"] > 0][-1], 239, 4)
         f.atLeast("energy at 250 us / initial",
                   case.totalEnergy[-1]/case.totalEnergy[0], 0.8)
-        # The peak is that of the first step; the impulse is that of all
+        # The peak is in the first step; the impulse covers all steps
         f.within("peak force of this pairing / AMI",
                  force(case).max()/force(run(COARSE)).max(), 1, 0.01)
         f.within("impulse of this pairing / AMI",

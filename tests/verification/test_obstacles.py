@@ -47,8 +47,8 @@ def gained(case):
 
 
 def test_plane_wave(tmp_path, figures):
-    """A bar hits a wall: exact in 1D. The contact lasts 2 L/c, the force is
-    rho c v, and the bar flies off as it came."""
+    """A bar hits a wall: the result is exact in 1D. The contact lasts 2 L/c,
+    the force is rho c v, and the bar leaves with its initial speed."""
     speed, gap = 0.01, 0.002
     body = Body(cells=(200,), name="block", start=(gap, 0, 0),
                 velocity=(-speed, 0, 0), material=ELASTIC,
@@ -73,8 +73,8 @@ def test_plane_wave(tmp_path, figures):
 
 
 def test_ball_in_two_dimensions(tmp_path, figures):
-    """The mesh of a plane cuts a curved obstacle in its middle: there a ball is
-    as a cylinder through it."""
+    """The mid-plane of a plane mesh cuts a curved obstacle: there a ball acts
+    like the cylinder through its section."""
     ends = {}
     for name, obstacle in (
             ("ball", {"type": "sphere", "origin": (0.5, -1, 0), "radius": 1}),
@@ -106,8 +106,8 @@ def plane(normal):
      ((0, 0, 0), (0, 0, 0)), 1e-2)))
 def test_oblique_in_two_dimensions(tmp_path, figures, law, name, oblique,
                                    straight, motions, within):
-    """What is oblique to the plane of the mesh is as the line in which it is
-    cut."""
+    """An obstacle that is oblique to the plane of the mesh acts like the line
+    in which the plane cuts it."""
     ends = []
     for obstacle, velocity in zip((oblique, straight), motions):
         body = Body(cells=(4, 4), name="block", start=(0, 0.01, -0.5),
@@ -124,8 +124,8 @@ def test_oblique_in_two_dimensions(tmp_path, figures, law, name, oblique,
 @pytest.mark.parametrize("shape", SHAPES)
 @pytest.mark.parametrize("ranks", (1, 2))
 def test_impulse_of_any_shape(tmp_path, figures, shape, ranks):
-    """A block falls on obstacles: its change of momentum is the impulse, and
-    it bounces."""
+    """A block falls on obstacles: its change of momentum equals the impulse,
+    and it bounces."""
     case = fall(tmp_path, block((6, 6, 6)), ranks=ranks, preset=DEFAULT,
                 obstacle=SHAPES[shape])
     with figures(f"block falls on a {shape}, {ranks} ranks") as f:
@@ -139,7 +139,7 @@ def test_impulse_of_any_shape(tmp_path, figures, shape, ranks):
 
 
 def test_like_a_mirror_image(tmp_path, figures):
-    """Against a wall as against the mirror image of the body."""
+    """An impact on a wall equals an impact on the mirror image of the body."""
     one = fall(tmp_path/"wall", block((8, 8)))
     two = SmallCase(
         tmp_path/"image",
@@ -163,9 +163,9 @@ MOTIONS = {
 
 @pytest.mark.parametrize("motion", MOTIONS)
 def test_moving(tmp_path, figures, motion):
-    """A wall that comes up to a block at rest. At constant speed it is the
-    block that falls, seen from the wall; else the work of the wall is in the
-    balance."""
+    """A wall moves towards a block at rest. At constant speed this equals a
+    falling block, seen from the wall. Otherwise the balance includes the work
+    of the wall."""
     case = fall(tmp_path/"moving", block((8, 8), velocity=(0, 0, 0)), motion={
         "solidBodyMotionFunction": motion, f"{motion}Coeffs":
         MOTIONS[motion]})
@@ -185,7 +185,7 @@ def test_moving(tmp_path, figures, motion):
 
 
 def test_rotating(tmp_path, figures):
-    """A turntable with friction takes a block along, about its axis."""
+    """A turntable with friction carries a block round its axis."""
     omega = 0.2
     body = Body(cells=(6, 2, 6), name="block", size=(1, 0.4, 1),
                 start=(-0.5, 0, -0.5), material=RUBBER,
@@ -212,8 +212,8 @@ def test_rotating(tmp_path, figures):
     ("tied", "rigid", 1), ("tied", "elastic", 2)),
     ids=("sticks", "sticks, two ranks", "tied", "elastic tied"))
 def test_stays_on_a_turntable(tmp_path, figures, law, kind, ranks):
-    """What sticks or is tied goes round with a turntable, and not off along
-    the tangents of its way: Coulomb's law holds three times what it takes."""
+    """Sticking or tied bodies go round with a turntable and do not drift off
+    along tangents. Coulomb's law holds three times the necessary force."""
     g, friction = 0.02, 0.5
     omega = np.sqrt(0.3*friction*g)
     size = (0.5, g, 0.6)
@@ -245,8 +245,8 @@ def test_stays_on_a_turntable(tmp_path, figures, law, kind, ranks):
 @pytest.mark.parametrize("cells, step", (
     ((1, 1, 1), 0.02), ((4, 2, 4), 0.005), ((4, 2), 0.02)))
 def test_tied_to_a_wall_stays(tmp_path, figures, cells, step):
-    """What is tied gives way under a force along the wall as under one across
-    it, and stays there."""
+    """A tied body gives way under a force along the wall as under a force
+    normal to it, and stays there."""
     size = (0.5, 0.3, 0.6)
     g = 0.02
     body = Body(cells=cells, name="block", size=size,
@@ -272,8 +272,9 @@ def rotating(origin, axis, omega):
                                      "omega": omega}}
 
 
-# A box that turns below a block: corners, faces and points of it come past.
-# How far the highest is from the axis, as many times half of its height
+# A box that rotates below a block: its corners, faces and points pass the
+# block. The numbers are the distance of the highest point from the axis over
+# half of the height
 WAYS = {
     "corner": ((-0.5, 1.5), (-5, 6), (0, 0, 1), np.sqrt(2)),
     "edge in 3D": ((-0.5, 1.5), (0.2, 0.8), (0, 0, 1), np.sqrt(2)),
@@ -284,7 +285,7 @@ WAYS = {
 @pytest.mark.parametrize("preset", (DEFAULT, PRESET))
 @pytest.mark.parametrize("way", WAYS)
 def test_turns_past_a_block(tmp_path, figures, way, preset):
-    """A box that turns below a block and does not touch it moves nothing:
+    """A box that rotates below a block without touching it moves nothing: the
     planes of its faces end at its edges."""
     (x0, x1), (z0, z1), axis, highest = WAYS[way]
     gap, omega = 0.05, 0.2
@@ -306,7 +307,8 @@ def test_turns_past_a_block(tmp_path, figures, way, preset):
 
 
 def wedge(folder, tip, half, depth):
-    """A triangular prism whose tip points up, 0.1 to 0.9 in z, as a file."""
+    """Write a file with a triangular prism whose tip points up, from 0.1 to
+    0.9 in z."""
     x, y = tip
     corners = np.array([(px, py, z) for z in (0.1, 0.9) for px, py in (
         (x - half, y - depth), (x + half, y - depth), (x, y))])
@@ -325,8 +327,8 @@ def wedge(folder, tip, half, depth):
 
 
 def test_wedge_goes_past_a_block(tmp_path, figures):
-    """So does the edge of a thin wedge, which is in front of neither of the
-    planes of its faces."""
+    """The edge of a thin wedge moves nothing either. It is in front of neither
+    of the planes of its faces."""
     gap = 0.05
     wedge(tmp_path/"constant"/"triSurface", (-1, -gap), 0.2, 1)
     case = SmallCase(
@@ -340,9 +342,9 @@ def test_wedge_goes_past_a_block(tmp_path, figures):
 
 
 def test_turning_box_as_a_rigid_region(tmp_path, figures):
-    """A box that turns like a door hits a block with its face: momenta and
-    energy are those with the same box as a rigid region, the closer the finer
-    the block."""
+    """A box that rotates like a door hits a block with its face. Momenta and
+    energy agree with those of the same box as a rigid region, and the
+    difference falls with the cell size of the block."""
     lo, hi, deep = np.array(((-4, -0.8, 0), (2, -0.2, 1), (0, 0, 1)))
     motion = rotating((-4, -0.2, 0), (0, 0, 1), 0.02)
     apart = []
@@ -374,7 +376,7 @@ def test_turning_box_as_a_rigid_region(tmp_path, figures):
 
 
 def test_far_away(tmp_path, figures):
-    """Nothing is done for an obstacle out of reach."""
+    """An obstacle out of reach causes no pairings and no forces."""
     far = {**PLANE, "pointAndNormalDict": {"point": (0, -50, 0),
                                            "normal": (0, 1, 0)}}
     case = SmallCase(tmp_path, block((8, 8)), 3, interfaces=wall(far),
@@ -390,8 +392,8 @@ def test_far_away(tmp_path, figures):
 
 
 def test_beside_an_open_obstacle(tmp_path, figures):
-    """A block that lies on a floor, four metres beside a plate that is higher:
-    nothing has gone through that."""
+    """A block lies on a floor, four metres beside a higher plate. The run does
+    not take it for a body that went through the plate."""
     case = SmallCase(
         tmp_path, Body((4, 4), name="block", start=(0, 0.001, 0),
                        sides={"bottom": "contact"}), 3,

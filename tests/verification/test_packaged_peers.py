@@ -1,5 +1,5 @@
-"""Programs from packages that the trade compares with: the decks are of our
-cases."""
+"""Programs from packages with which the trade compares: their input files
+describe our cases."""
 
 import shutil
 
@@ -16,7 +16,7 @@ from vertexContactTests.peers.scenes import SCENES
     ("rings", 10, 2*11*124, np.pi*(0.04**2 - 0.03**2)*1e-3),
     ("taylor", 4, 703, np.pi/4*3.2e-3**2*32.4e-3)))
 def test_meshes(name, mesh, nodes, volume):
-    """Polygons have a little less than circles."""
+    """Polygons are slightly smaller than circles."""
     scene = SCENES[name](mesh)
     ofNodes, ofElements = scene.mesh.volumes()
     assert len(scene.mesh.points) == nodes
@@ -25,8 +25,8 @@ def test_meshes(name, mesh, nodes, volume):
 
 
 def test_deck():
-    """Samples are at ends of steps; the plate is there, and prints only if
-    they are wanted."""
+    """Steps end at the samples. The plate exists, and results are printed only
+    if they are wanted."""
     scene = SCENES["rings"](5)
     every, step = steps(scene)
     assert step <= scene.step
@@ -39,7 +39,7 @@ def test_deck():
 @pytest.mark.parametrize("step, steps", (
     ("3.059735e-05", 1308), ("3.333333e-05", 1200)))
 def test_steps_that_calculix_takes(step, steps):
-    """Those that CalculiX takes, whatever it was told."""
+    """The number of steps that CalculiX takes, whatever step it was told."""
     log = f" SELECTED time increment:{step}\n"
     assert calculix.stepsTaken(log, 0.04) == steps
 

@@ -1,5 +1,5 @@
-"""The plain finite elements that the trade compares with: that they are right,
-so that the comparison is one, and how they are called."""
+"""The plain finite elements with which the trade compares: they are correct,
+so that the comparison is meaningful, and how they are called."""
 
 import pytest
 
@@ -8,8 +8,9 @@ from vertexContactTests.caseTools import execute
 from vertexContactTests.trade import peers
 from vertexContactTests.trade.cases import CASES
 
-# At the end: impulse, energy, plastic work; and steps, on coarse meshes. The
-# histories are those of another program, written apart, to 1e-4
+# At the end: impulse, energy, plastic work, and number of steps, on coarse
+# meshes. The histories agree to 1e-4 with those of another program that was
+# written independently
 KNOWN = {
     ("rings", 5): (-2.32314, 0.978053, 0, 1216),
     ("taylor", 2): (0.485925, 0.0025271, 0.955063, 1593)}
@@ -21,7 +22,7 @@ def program():
 
 
 def test_patch_test_and_closed_forms(program, tmp_path):
-    """Patch test, energies, closed forms: a line each."""
+    """Patch test, energies, and closed forms: one line for each."""
     done = execute([program, "verify"], tmp_path)
     assert done.returncode == 0, done.stdout
     assert done.stdout.count(" ok\n") == len(done.stdout.splitlines()) > 40
@@ -42,8 +43,8 @@ def test_histories_of_another_program(name, mesh, program, tmp_path, figures):
 
 
 def test_errors(program):
-    """Both kinds of runs have the same columns; the time of two bodies is
-    twice that of one."""
+    """Both kinds of runs have the same columns. The time of two bodies is
+    twice the time of one."""
     errors, costs = peers.once("incompressible", 4)
     assert {"error", "velocity", "force", "energy", "rise"} <= set(errors)
     assert costs["nodes"] == 2*5*21
@@ -60,7 +61,7 @@ def test_errors(program):
     "rings 5 -co nan", "rings 5 -samples 0", "rings 5 -speed 2",
     "rings 5 -out /no/such/folder/file"))
 def test_wrong_words(words, program, tmp_path):
-    """One line that says what is wrong."""
+    """One line names the fault."""
     done = execute([program, *words.split()], tmp_path)
     assert done.returncode == 1
     assert done.stdout.startswith("plainFEM: ")
@@ -73,6 +74,6 @@ def test_help(program, tmp_path):
 
 
 def test_unstable(program, tmp_path):
-    """With more than the stable step: an error, and no table."""
+    """A step above the stable one is an error, and there is no table."""
     done = execute([program, "similar", "64", "-co", "1.3"], tmp_path)
     assert done.returncode == 1 and done.stdout.startswith("plainFEM: not")

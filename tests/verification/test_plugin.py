@@ -1,5 +1,5 @@
-"""A material and a contact law in a library of its own (plugin/): compiled
-outside the checkout, loaded by controlDict, and right."""
+"""A material and a contact law in a separate library (plugin/): compiled
+outside the checkout, loaded by controlDict, and correct."""
 
 import shutil
 from pathlib import Path
@@ -15,7 +15,7 @@ from vertexContactTests.smallCases import (ELASTIC, Body, SmallCase, condition,
 PLUGIN = Path(__file__).resolve().parent/"plugin"
 NEW = "SaintVenantKirchhoff", "Orowan"
 
-# M = lambda + 2 mu = 1, rho = 1, so c_p = 1
+# M = lambda + 2 mu = 1 and rho = 1, so c_p = 1
 MATERIAL = {"type": "SaintVenantKirchhoff", "rho": 1, "E": 1, "nu": 0}
 V = 0.15
 
@@ -26,7 +26,7 @@ LIMITS = {"limited": 0.001, "unlimited": 1}     # k p is 0.003
 
 @pytest.fixture(scope="module")
 def library(tmp_path_factory):
-    """The library, made of a copy of its folder and nothing else."""
+    """The library, compiled from a copy of its folder only."""
     folder = tmp_path_factory.mktemp("plugin")
     for name in ("Make", *NEW):
         shutil.copytree(PLUGIN/name, folder/name,
@@ -42,7 +42,7 @@ def library(tmp_path_factory):
 
 
 def bars():
-    """Two equal bars that meet at 2 V."""
+    """Two equal bars that collide at 2 V."""
     return [Body(cells=(100,), name=name, start=(x, 0, 0), material=MATERIAL,
                  velocity=(v, 0, 0), sides={side: "contact"})
             for name, x, v, side in (("left", -1, V, "right"),
@@ -51,8 +51,8 @@ def bars():
 
 def compressed():
     """Stretch and pressure between the bars. Compression makes the bars
-    softer, so no shock but a fan leaves the impact: du = c dF with
-    c^2 = dP/dF, P = F (F^2 - 1)/2."""
+    softer, so the impact causes a fan and not a shock: du = c dF with c^2 =
+    dP/dF, P = F (F^2 - 1)/2."""
     F = np.linspace(1, 0.6, 100001)
     c = np.sqrt((3*F**2 - 1)/2)
     u = np.concatenate(([0], np.cumsum((c[1:] + c[:-1])/2*-np.diff(F))))
@@ -61,7 +61,7 @@ def compressed():
 
 
 def stack(name, x):
-    """A block that slides on a base, its weight in equilibrium."""
+    """A block slides on a base; its weight is in equilibrium."""
     def settle(X):
         y = X[:, 1:2]
         return -WEIGHT*(2*HEIGHT*y - y**2/2)*(0, 1, 0)
@@ -77,11 +77,11 @@ def stack(name, x):
 
 
 def test_plugin(tmp_path, figures, library):
-    """Two bars of the new material meet: pressure between them as in the
-    exact simple wave. Two blocks slide with the new law: where its limit is
-    reached, shear traction times area brakes the block, whatever the
-    pressure, else Coulomb's friction does; and the impulse of contact is the
-    change of momentum."""
+    """Two bars of the new material collide: the pressure between them is that
+    of the exact simple wave. Two blocks slide with the new law: where its
+    limit is reached, the shear traction times the area slows the block,
+    independent of the pressure. Otherwise Coulomb friction does. The impulse
+    of contact equals the change of momentum."""
     stacks = [body for i, name in enumerate(LIMITS)
               for body in stack(name, 10*i)]
     interfaces = {"bars": interface(("left", "right"), ("right", "left"))}
@@ -121,9 +121,10 @@ def test_plugin(tmp_path, figures, library):
 
 
 def test_sticks(tmp_path, figures, library):
-    """With the default scheme a block slides down a base that leans by half of
-    the angle of friction, slower and slower, and stays where it has stopped.
-    It comes farther than a rigid one: parts of its base that shake go back."""
+    """With the default scheme a block slides down a base that is inclined by
+    half of the angle of friction. It becomes slower and stays where it stops.
+    It goes farther than a rigid block, because parts of its base vibrate
+    backwards."""
     name = "block"
     case = SmallCase(
         tmp_path, stack(name, 0), endTime=55, preset=DEFAULT,
@@ -136,7 +137,7 @@ def test_sticks(tmp_path, figures, library):
     t, v = case.momentum["Time"], case.momentumOf(f"{name}Block")[:, 0]/MASS
     stopped = SPEED/(0.5*FRICTION*WEIGHT)
     way = np.concatenate(([0], np.cumsum((v[1:] + v[:-1])/2*np.diff(t))))
-    # The stopped block swings on its base
+    # The stopped block vibrates on its base
     early, late = (way[(t > a*stopped) & (t < (a + 1)*stopped)].mean()
                    for a in (2, 3))
     with figures("plugin: new contact law, sticking block") as f:
@@ -146,7 +147,8 @@ def test_sticks(tmp_path, figures, library):
 
 
 def test_nothing_else_knows(figures):
-    """Neither the library nor the programs name what the plugin adds."""
+    """Neither the library nor the programs contain the names that the plugin
+    adds."""
     named = [path for top in ("src", "applications")
              for path in (caseTools.root/top).rglob("*")
              if path.is_file() and path.parent.name != "lnInclude"
@@ -157,7 +159,7 @@ def test_nothing_else_knows(figures):
 
 
 def test_valid_choices(tmp_path, library):
-    """A wrong name lists what the plugin offers, too."""
+    """The error about a wrong name also lists the models of the plugin."""
     body = Body(cells=(2,), material={**MATERIAL, "type": "Kirchhoff"})
     code, log = SmallCase(tmp_path, body, endTime=1, control={
         "libs": f'(vertexContact "{library}")'}).attempt()

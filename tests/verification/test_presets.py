@@ -1,7 +1,7 @@
-"""The presets in all cases of the trade: 'fast' takes longer steps than 'balanced'
-and is as good where bodies are solid, not at fronts in one dimension; none is
-worse than its row of trade.csv by a tenth; and each is the options that it
-stands for."""
+"""The presets in all cases of the trade. 'fast' takes longer steps than
+'balanced' and is as accurate in solid bodies, but not at fronts in one
+dimension. No preset is worse than its row of trade.csv by a tenth. Each preset
+equals the options that it sets."""
 
 import pytest
 
@@ -10,12 +10,11 @@ from vertexContactTests.trade.cases import CASES, entry
 from vertexContactTests.trade.rows import measure, tradeTable
 from vertexContactTests.trade.variants import NAMES, PAPER, named
 
-# The cases of the trade, on the coarsest meshes that are not too coarse for
-# the ranking
+# The cases of the trade, on the coarsest meshes on which the ranking holds
 MESHES = {"similar": "128", "dissimilar": "128", "rings": "5",
           "incompressible": "8", "nonMatching": "1", "taylor": "2"}
 
-# Options of the presets, of vertexCentred and of controlDict
+# Options that the presets set, in vertexCentred and in controlDict
 SCHEME = {"cells": "simplicial", "dissipation": "0.25",
           "correction": f"{1/3:.17g}", "volume": "automatic"}
 WRITTEN = {
@@ -36,7 +35,7 @@ def calibration():
 
 @pytest.mark.parametrize("name", MESHES)
 def test_ranking(name, calibration, figures):
-    """Costs are not asserted, but steps: times depend on the machine."""
+    """Steps are asserted, but not costs: times depend on the machine."""
     case, table = CASES[name], tradeTable()
     rows = {preset: measure(case, named(case, preset, MESHES[name]),
                             calibration) for preset in NAMES}
@@ -66,7 +65,7 @@ def test_ranking(name, calibration, figures):
 
 
 def runs(case, folder, preset, scheme, control):
-    """Of a preset and options beside it."""
+    """Runs with a preset and additional options."""
     made = case.prepare(folder, named(case, preset, "4"))
     made.set("system/controlDict",
              {k: entry(v) for k, v in control.items()})
@@ -78,11 +77,11 @@ def runs(case, folder, preset, scheme, control):
 
 @pytest.mark.parametrize("preset", WRITTEN)
 def test_same_as_options(preset, tmp_path, figures):
-    """What the keyword 'preset' sets are these options, which come before
+    """The keyword 'preset' equals these options, which have precedence over
     those of another preset."""
     case = CASES["incompressible"]
     alone = runs(case, tmp_path/"alone", preset, {}, {})
-    # The other scheme has other options: only its own preset takes them
+    # The other scheme has other options: only its own preset accepts them
     other = {"accurate": "fast", PAPER: PAPER}.get(preset, "accurate")
     written = runs(case, tmp_path/"written", other, *WRITTEN[preset])
     with figures(f"preset {preset} against its options") as f:

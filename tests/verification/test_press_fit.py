@@ -1,4 +1,4 @@
-"""A hub that is pressed onto a shaft, by kinetic relaxation, against Lame's
+"""A hub is pressed onto a shaft by kinetic relaxation; comparison with Lame's
 rings."""
 
 import numpy as np
@@ -9,7 +9,7 @@ from vertexContactTests.caseTools import DEFAULT, Tutorial
 
 MESHES = {mesh: Tutorial("pressFit", mesh, preset=DEFAULT)
           for mesh in ("I", "II")}
-HOOP = {"I": 0.045, "II": 0.025}    # largest errors by the pressure
+HOOP = {"I": 0.045, "II": 0.025}    # largest errors, relative to the pressure
 RADIAL = {"I": 0.22, "II": 0.12}
 
 
@@ -36,7 +36,7 @@ def test_lame(run, figures, mesh):
     with figures(f"press-fit, Mesh {mesh}") as f:
         f.atMost("growth of the bore / Lame, largest error",
                  np.abs(growth - 1).max(), 1e-3)
-        # p times the interference over half of the edge of the quarter
+        # p times the interference over half of the edge of the quarter model
         f.within("strain energy / Lame", E["total:strain"][-1]
                  / (lame.PRESSURE*lame.INTERFERENCE*np.pi*lame.B/4),
                  1, 2e-3)

@@ -1,4 +1,5 @@
-"""Contact with friction against published solutions of others."""
+"""Contact with friction, compared with published solutions of other
+authors."""
 
 import numpy as np
 import pytest
@@ -12,8 +13,8 @@ IRONING = {mesh: Tutorial("shallowIroning", mesh, preset=DEFAULT)
 
 
 def outside(values, theirs):
-    """How far values are beyond the least and the largest of the sources, of
-    the latter."""
+    """Distance of values outside the range of the sources, relative to the
+    largest value of the sources."""
     low, high = np.nanmin(theirs, axis=0), np.nanmax(theirs, axis=0)
     return np.maximum(np.maximum(low - values, values - high), 0)/high
 
@@ -21,12 +22,12 @@ def outside(values, theirs):
 @pytest.mark.scenes(*IRONING.values())
 @pytest.mark.parametrize("mesh", IRONING)
 def test_shallow_ironing(run, figures, mesh):
-    """Both forces lie between those of five sources, all the way, and their
-    ratio between those of seven."""
+    """Both forces are between those of five sources on the whole path, and
+    their ratio is between those of seven sources."""
     case = run(IRONING[mesh])
     forces = published.forces(case.path)
     theirs = published.sources()
-    # Pressing in, forces change fast with the way
+    # During pressing the forces change fast with the path
     H, V = np.array([
         published.at(forces, down, along, 0.1 if along else 0.02)
         for down, along in zip(theirs["down"], theirs["along"])]).T
@@ -43,7 +44,7 @@ def test_shallow_ironing(run, figures, mesh):
                  outside(H, theirH).max(), 0)
         f.atMost("force downwards, beyond the sources / largest",
                  outside(V, theirV).max(), 0)
-        # The place of the printed ratios is half of the way along
+        # The printed ratios belong to half of the horizontal path
         for way in 1, 5:
             its = theirs["along"] == way
             f.atMost(f"along / downwards at {way} mm, beyond five curves",
@@ -66,14 +67,14 @@ def test_shallow_ironing(run, figures, mesh):
                  np.abs(e["balance"]).max()/work, 1.5e-5)
 
 
-# Until the rings snap past each other, and (0.6) until friction makes them
-# vibrate, which statics knows nothing of [mm]
+# Until the rings snap past each other, or (0.6) until friction makes them
+# vibrate, which static solutions do not have [mm]
 STEADY = {"0": 18, "0.3": 21, "0.6": 15}
 
 
 @pytest.mark.parametrize("k", curvedBeams.FRICTION)
 def test_curved_beams(tmp_path, figures, k):
-    """Two rings that press past each other, against one source."""
+    """Two rings press past each other; comparison with one source."""
     case = curvedBeams.write(tmp_path, k).run()
     places, (along, across) = curvedBeams.reactions(case)
     theirs = curvedBeams.theirs()
@@ -101,10 +102,10 @@ def test_curved_beams(tmp_path, figures, k):
 
 @pytest.mark.parametrize("k", compressedSpheres.FRICTION)
 def test_compressed_spheres(tmp_path, figures, k):
-    """Hollow half spheres, until the inner one buckles within the spread of
-    three or four sources, as far as their curves can be read off. Behind that
-    they differ by up to a fifth, as we do from mesh to mesh: the finer, the
-    softer."""
+    """Hollow half spheres. Until the inner one buckles, forces are within the
+    spread of three or four sources, as far as their curves can be read. After
+    that the sources differ by up to a fifth, and so do our meshes: finer
+    meshes are softer."""
     case = compressedSpheres.write(tmp_path, k).run()
     places, force = compressedSpheres.forces(case)
     data = compressedSpheres.theirs()

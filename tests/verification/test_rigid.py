@@ -1,5 +1,5 @@
-"""Rigid regions: against theory, against obstacles, and with deformable bodies
-that they touch."""
+"""Rigid regions: compared with theory, with obstacles, and with the deformable
+bodies that they touch."""
 
 import numpy as np
 import pytest
@@ -11,13 +11,13 @@ from vertexContactTests.smallCases import (EACH_STEP, FLOOR, RUBBER, Body,
                                            SmallCase, condition, coulomb,
                                            interface, largest, table, turned)
 
-# The run of one rigid region has no step of its own
+# A run with a single rigid region has no stable step
 FIXED = {"adjustTimeStep": "no"}
 GRAVITY = 9.81
 
 
 def lifted(R):
-    """Displacement that turns a body about the origin."""
+    """Displacement that rotates a body about the origin."""
     return lambda X: X @ (R - np.eye(3)).T
 
 
@@ -31,7 +31,7 @@ def about(axis, angle):
 
 # A rod that hangs from the origin
 ROD = (0.1, 1.0, 0.1)
-ROD_INERTIA = (ROD[0]**2 + ROD[1]**2)/12        # by mass, about its centre
+ROD_INERTIA = (ROD[0]**2 + ROD[1]**2)/12        # per mass, about its centre
 PERIOD = 2*np.pi*np.sqrt((ROD_INERTIA + ROD[1]**2/4)/(GRAVITY*ROD[1]/2))
 HANGING = {"size": ROD, "start": (-ROD[0]/2, -ROD[1], -ROD[2]/2)}
 
@@ -45,7 +45,7 @@ def pendulum(folder, material, periods, steps=2000, **more):
 
 
 def test_compound_pendulum(tmp_path, figures):
-    """Period of a rod on a pivot, small angles: 2 pi sqrt(I/(m g d))."""
+    """Period of a rod on a pivot for small angles: 2 pi sqrt(I/(m g d))."""
     case = pendulum(tmp_path, {"rho": 1, "freeRotation": "(z)"}, 2.2,
                     displacement=lifted(about("z", 1e-3)), **HANGING)
     L = case.momentum["body:Lz"]
@@ -60,10 +60,10 @@ def test_compound_pendulum(tmp_path, figures):
 
 @pytest.mark.parametrize("motion", ("in a plane", "in space"))
 def test_given_mass_is_that_of_the_mesh(tmp_path, figures, motion):
-    """A pendulum whose mass, centre and inertia are given, on the mesh of a
-    brick elsewhere, swings as one that has them from its mesh and density; also
-    a rod that hangs aslant, whose inertia has all components, and that is
-    thrown around."""
+    """A pendulum has the given mass, centre and inertia, and the mesh of a
+    brick at another place. It swings like a pendulum that has them from its
+    mesh and density. Also a rod that hangs obliquely, whose inertia has all
+    components, and that is thrown round."""
     rho = 3.0
     mass = rho*np.prod(ROD)
     R = np.eye(3)
@@ -99,8 +99,8 @@ def test_given_mass_is_that_of_the_mesh(tmp_path, figures, motion):
 @pytest.mark.parametrize("kind, axis", (
     ("3D", "x"), ("3D", "y"), ("3D", "z"), ("axis", "x"), ("2D", "z")))
 def test_moment_about_a_principal_axis(tmp_path, figures, kind, axis, grows):
-    """A free brick under a moment about one of its axes: it turns by
-    M t^2/(2 I), which the leapfrog has exactly; under one that grows from zero
+    """A free brick under a moment about one of its axes rotates by M t^2/(2
+    I), exactly in the leapfrog. Under a moment that grows from zero it rotates
     by M t^2/(6 I) (1 - 1/n^2), with n steps."""
     size, rho, steps, time, angle = np.array((1, 0.5, 0.3)), 2.0, 40, 3.0, 2.5
     cells = (2, 2) if kind == "2D" else (2, 1, 2)
@@ -127,7 +127,7 @@ def test_moment_about_a_principal_axis(tmp_path, figures, kind, axis, grows):
                  largest(D - lifted(about(axis, turn))(case.X())), 1e-13)
         f.within("kinetic energy / theory", e["total:kinetic"][-1]/kinetic, 1,
                  1e-13)
-        # Of the last half of a step with the power at its end
+        # The last half of a step has the power at its end
         f.within("work of the moment / kinetic energy",
                  e["total:externalWork"][-1]/kinetic, 1, 1.01/steps**2)
         f.atMost("momentum / (mass times speed of the corner)", largest(
@@ -135,9 +135,10 @@ def test_moment_about_a_principal_axis(tmp_path, figures, kind, axis, grows):
 
 
 def test_pivot_holds_from_the_first_step(tmp_path, figures):
-    """A brick that spins about a vertical edge: the pivot pulls with m w^2 r,
-    and turns with the products of inertia, in each step; the momentum is that
-    half a step back. (Of the first step it was twice that.)"""
+    """A brick spins about a vertical edge. The pivot pulls with m w^2 r and
+    provides the moment of the products of inertia, in each step. The momentum
+    is that half a step earlier. (In the first step the force was twice as
+    large.)"""
     spin, step, size = 2.0, 0.003, np.array((1, 0.6, 0.2))
     mass, arm = size.prod(), np.hypot(*size[:2])/2
     body = Body((2, 2, 2), size=tuple(size), velocity=spinning(
@@ -161,10 +162,10 @@ def test_pivot_holds_from_the_first_step(tmp_path, figures):
 
 
 def test_heavy_top(tmp_path, figures):
-    """A square top that spins on its tip, tilted by 30 degrees and with the
-    motion of steady precession: it goes on with it, at the rate that solves
-    I1 cos(tilt) W^2 - I3 spin W + m g d = 0. Its error and the nutation that
-    is left fall with the square of the step."""
+    """A square top spins on its tip, tilted by 30 degrees, with the initial
+    motion of steady precession. It continues this motion at the rate that
+    solves I1 cos(tilt) W^2 - I3 spin W + m g d = 0. The error of the rate and
+    the remaining nutation fall with the square of the step."""
     width, thick, d, tilt, spin = 0.6, 0.1, 0.2, np.pi/6, 40.0
     mass = width**2*thick
     I3 = mass*width**2/6
@@ -210,9 +211,9 @@ def test_heavy_top(tmp_path, figures):
 
 
 def test_bounce_keeps_momenta(tmp_path, figures):
-    """A spinning rigid cuboid bounces on a soft block that is free, off
-    centre: linear and angular momentum of the pair stay, and it takes energy
-    only."""
+    """A spinning rigid cuboid bounces off a free soft block, off centre:
+    linear and angular momentum of the pair are conserved, and energy only
+    dissipates."""
     tool = Body(cells=(3, 3, 3), name="tool", start=(0.5, 1.02, 0.4),
                 size=(0.5, 0.3, 0.7), sides={"bottom": "contact"},
                 velocity=spinning((0.75, 1.17, 0.75), (0.1, 2.0, 0.05),
@@ -240,7 +241,7 @@ def test_bounce_keeps_momenta(tmp_path, figures):
 
 
 def test_general_contact(tmp_path, figures):
-    """All surfaces with each other: what the named pair gives."""
+    """'surfaces all' gives the result of the named pair."""
     named = toolAndBlock(tmp_path/"named")
     general = toolAndBlock(tmp_path/"general", contact={
         "all": {"surfaces": "all", "law": coulomb(0.3)}})
@@ -251,7 +252,7 @@ def test_general_contact(tmp_path, figures):
 
 
 def test_known_before_the_run(tmp_path):
-    """-dry-run and checkContact take rigid regions."""
+    """-dry-run and checkContact accept rigid regions."""
     case = toolAndBlock(tmp_path)
     for command in (("vertexContactFoam", "-dry-run"),
                     ("checkContact", "-time", "0")):
@@ -261,7 +262,7 @@ def test_known_before_the_run(tmp_path):
 
 
 def test_parallel(tmp_path, figures):
-    """Two ranks, which cut both bodies, give what one gives."""
+    """Two ranks, which divide both bodies, give the result of one."""
     one = toolAndBlock(tmp_path/"one")
     two = toolAndBlock(tmp_path/"two", ranks=2)
     with figures("rigid tool on a block, 2 ranks against 1") as f:
@@ -273,7 +274,8 @@ def test_parallel(tmp_path, figures):
 
 
 def test_restart(tmp_path):
-    """A run that is started from half of the time ends in the same bits."""
+    """A run that is continued from half of the time ends with the same
+    bits."""
     whole = toolAndBlock(tmp_path/"whole")
     again = toolAndBlock(tmp_path/"again", 0.5, control={"writeInterval": 0.5})
     again.set("system/controlDict", {"endTime": 1})
@@ -285,7 +287,7 @@ def test_restart(tmp_path):
 
 
 def test_sub_cycling(tmp_path, figures):
-    """With steps of their own the rigid region takes the shortest one."""
+    """With subCycling the rigid region takes the shortest step."""
     one = toolAndBlock(tmp_path/"one")
     own = toolAndBlock(tmp_path/"own", control={"subCycling": "yes"})
     with figures("rigid tool on a block, subCycling") as f:
@@ -296,8 +298,8 @@ def test_sub_cycling(tmp_path, figures):
 
 @pytest.mark.parametrize("motion", ("displacement", "velocity"))
 def test_moved_plate_is_as_an_obstacle(tmp_path, figures, motion):
-    """A plate that is moved presses as an obstacle with the same motion: up to
-    what overlaps of faces and corners differ by."""
+    """A moved plate presses like an obstacle with the same motion, up to the
+    difference between overlaps of faces and corners."""
     value = {"displacement": table((0, (0, 0, 0)), (1, (0, 0.05, 0))),
              "velocity": (0, 0.05, 0)}
     move = {motion: value[motion]}
@@ -334,8 +336,8 @@ SWINGING = {
 
 @pytest.mark.parametrize("motion", SWINGING)
 def test_start_of_a_motion(tmp_path, figures, motion):
-    """A region that a motion moves begins with its velocity, however long the
-    run is to be; and the case that has ended can be looked at, and run on."""
+    """A region with a motion starts with its velocity, for any length of the
+    run. A finished case can be looked at and continued."""
     case = SmallCase(tmp_path, [
         Body(cells=(2, 2), name="tool", start=(0, 1.5, 0), material=rigid(
             motion=SWINGING[motion])), Body(cells=(2, 2), name="pad")], 1000,
@@ -354,8 +356,8 @@ def test_start_of_a_motion(tmp_path, figures, motion):
 
 @pytest.mark.parametrize("free", ("x y z", "x z", "y", ""))
 def test_constant_force(tmp_path, figures, free):
-    """Directions that are free, with gravity and a force at the centre:
-    v t + (F/m + g) t^2/2. The others stay."""
+    """Free directions with gravity and a force at the centre move by v t +
+    (F/m + g) t^2/2. The other directions do not move."""
     force, speed, time = np.array((1, -2, 3)), np.array((0.3, 0.2, -0.1)), 2.0
     may = np.array([c in free for c in "xyz"], dtype=float)
     case = SmallCase(tmp_path, Body(
@@ -370,15 +372,15 @@ def test_constant_force(tmp_path, figures, free):
 
 
 def turning(axis, angle, origin):
-    """A motion that turns by that angle in a second."""
+    """A motion that rotates by this angle in a second."""
     return {"solidBodyMotionFunction": "rotatingMotion",
             "rotatingMotionCoeffs": {
                 "origin": origin, "axis": axis, "omega": angle}}
 
 
 def test_turning_region(tmp_path, figures):
-    """A rigid region that a motion turns is where the rotation brings it, its
-    momentum that of the middle of the last step."""
+    """A rigid region with a rotation is at the rotated position. Its momentum
+    is that at the middle of the last step."""
     n, angle, origin = (0.48, 0.6, 0.64), 1.62, np.array((0.5, -4, 0.5))
     steps = 100
     case = SmallCase(tmp_path, Body(cells=(2, 2, 2), material=rigid(
@@ -394,8 +396,8 @@ def test_turning_region(tmp_path, figures):
             case.at("lm") - U)/largest(U), 0.1*(angle/steps)**2)
 
 
-# Angular velocities, and the angle at the time 1. Beyond their ends tables keep
-# their values
+# Angular velocities, and the angle at the time 1. Beyond their ends tables
+# keep their first and last values
 OMEGAS = {
     "from rest": (table((0, 0), (10, 1)), 0.05),
     "point at 0": (table((-1, 0), (0, 0.5), (2, 1)), 0.625),
@@ -406,8 +408,9 @@ OMEGAS = {
 
 @pytest.mark.parametrize("name", OMEGAS)
 def test_turned_by_a_table(tmp_path, figures, name):
-    """A table of the angular velocity turns a region by its integral, also
-    where the run goes on from the middle. OpenFOAM ends at time 0."""
+    """A table of the angular velocity rotates a region by its integral, also
+    in a run that continues from the middle. OpenFOAM's own function fails at
+    time 0."""
     omega, angle = OMEGAS[name]
     origin, n, steps = np.array((0.5, -1, 0.5)), (0, 0, 1), 100
     motion = turning(n, omega, origin) if omega else {
@@ -450,7 +453,7 @@ def wavesRate(t):
 
 
 def listedMotion(function):
-    """A table that is fine against the step."""
+    """A table with intervals that are small compared with the step."""
     return table(*((t, tuple(function(t))) for t in np.linspace(0, 1.1, 4401)))
 
 
@@ -476,8 +479,9 @@ MOVED = {
 
 @pytest.mark.parametrize("name", MOVED)
 def test_velocity_of_a_moved_region(tmp_path, figures, name):
-    """The velocity that is written is that of the motion at the time of the
-    displacement, to second order in the step; so is what can move across."""
+    """The written velocity is that of the motion at the time of the
+    displacement, to second order in the step. The same holds for free
+    directions across the motion."""
     motion, theory = MOVED[name]
     errors = []
     for steps in 20, 40:
@@ -499,8 +503,8 @@ def test_velocity_of_a_moved_region(tmp_path, figures, name):
 
 @pytest.mark.parametrize("omega", (0.05, table((0, 0), (10, 1))))
 def test_turning_obstacle(tmp_path, figures, omega):
-    """A plane that a motion turns below a block is where the rotation brings
-    it: the gaps of the block say so."""
+    """An obstacle that rotates below a block is at the rotated position: the
+    gaps of the block show it."""
     n, angle, origin = (0.6, 0, 0.8), 0.05, np.array((-1, -0.2, 0.3))
     case = SmallCase(tmp_path, Body(
         cells=(4, 4, 4), name="block", sides={"bottom": "contact"}), 1,
@@ -524,8 +528,8 @@ def test_turning_obstacle(tmp_path, figures, omega):
 
 
 def test_rest(tmp_path, figures):
-    """A rigid block that lies on a soft one under gravity, at the sag of
-    statics (a column without lateral strain), stays at rest there."""
+    """A rigid block lies on a soft one under gravity, at the sag of the static
+    solution (a column without lateral strain). It stays at rest."""
     g, load = 0.01, 3*0.01
     column = {"type": "linearElastic", "rho": 0.01, "E": 1, "nu": 0}
     tool = Body(cells=(1, 1), name="tool", start=(0, 1, 0), size=(1, 1, 1),
@@ -551,16 +555,16 @@ def test_rest(tmp_path, figures):
                  / case.energies["total:strain"].max(), 1e-4)
 
 
-# What holds a rigid region
+# Supports of a rigid region
 
 def reaction(case, name, kind):
-    """A vector of reactionForces, a row each step."""
+    """A vector of reactionForces, with a row per step."""
     columns = readResults.table(case.path, "reactionForces", "reactions.dat")
     return np.array([columns[f"{name}:{kind}{c}"] for c in "xyz"]).T
 
 
 def histories(*names, **more):
-    """Of function objects, with a row each step."""
+    """Function objects with a row per step."""
     return {"functions": {name: {
         "type": name, "libs": "(vertexContact)", **EACH_STEP,
         **more.get(name, {})} for name in ("solidEnergies", *names)}}
@@ -568,9 +572,10 @@ def histories(*names, **more):
 
 @pytest.mark.parametrize("free", ("about its axis", "about all"))
 def test_force_of_a_pivot(tmp_path, figures, free):
-    """A pendulum from 60 degrees: the pivot bears m g cos + m d w^2 along the
-    rod, and m g sin (1 - m d^2/I) across, with the w of its energy. An axis
-    also bears the moment of a force along it in the middle of the rod."""
+    """A pendulum released at 60 degrees. The pivot bears m g cos + m d w^2
+    along the rod and m g sin (1 - m d^2/I) across it, with w from the energy.
+    An axis also bears the moment of a force along the axis at the middle of
+    the rod."""
     mass, d, side = np.prod(ROD), ROD[1]/2, 0.01
     inertia = ROD_INERTIA + d**2
     axis = free == "about its axis"
@@ -611,9 +616,9 @@ def test_force_of_a_pivot(tmp_path, figures, free):
 
 
 def test_reactions_of_a_moved_region(tmp_path, figures):
-    """A plate that a motion presses on a block and that is held otherwise:
-    reaction, contact and weight are the change of its momentum to round-off,
-    and the work of the reaction is that of the energies."""
+    """A motion presses a plate on a block; the other directions of the plate
+    are held. Reaction, contact and weight equal the change of its momentum to
+    round-off, and the work of the reaction equals that of the energies."""
     g = 0.01
     block = Body(cells=(10, 8), name="block", material=RUBBER, sides={
         "bottom": condition("fixedVelocity", velocity=(0, 0, 0)),
@@ -642,7 +647,7 @@ def test_reactions_of_a_moved_region(tmp_path, figures):
     weight = 2*0.36*g
     total = (reaction(case, "plate", "I")[1:] + impulse
              + halfBack*np.array((0.001, -weight, 0)))
-    # Without that of the weight, and without the jolt of the start
+    # Without the work of the weight, and without the jolt at the start
     external = case.energies["plate:externalWork"]
     work = ((external[1:] + external[:-1])/2 - weight*0.03*halfBack[:, 0]**2)
     with figures("plate that a motion presses on a block") as f:
@@ -671,8 +676,8 @@ def test_reactions_of_a_moved_region(tmp_path, figures):
 
 
 def test_weight_on_a_held_region(tmp_path, figures):
-    """A block that lies at rest on a plate that does not move, off its middle:
-    the plate bears both weights, and the moment of the block's."""
+    """A block lies at rest on a fixed plate, off its middle: the plate bears
+    both weights and the moment of the block."""
     g, arm, rho = 0.01, 0.3, 2
     column = {"type": "linearElastic", "rho": 1, "E": 1, "nu": 0}
     block = Body(cells=(4, 6), name="block", start=(0.5 + arm, 0, 0),
@@ -697,8 +702,8 @@ def test_weight_on_a_held_region(tmp_path, figures):
 
 
 def test_warning_of_the_start_velocity(tmp_path, figures):
-    """Once where pointU is no motion of a rigid body, never of a run that goes
-    on with one that turns."""
+    """The warning comes once if pointU is not the motion of a rigid body. It
+    never comes in a restarted run with a rotating body."""
     said = []
     for name, U in (("turns", spinning((0.5, 0.5, 0), (0, 0, 2))),
                     ("shears", lambda X: X[:, 1:2]*np.array((1, 0, 0)))):
@@ -707,7 +712,7 @@ def test_warning_of_the_start_velocity(tmp_path, figures):
             control={**FIXED, "deltaT": 0.01}, preset=DEFAULT)
         for end in 0.1, 0.2:
             case.set("system/controlDict", {"endTime": end})
-            said.append("not one that" in case.attempt()[1])
+            said.append("this rigid body cannot move" in case.attempt()[1])
     with figures("warnings of the velocity at the start") as f:
         f.equal("turns, restarted, shears, restarted", said,
                 [False, False, True, False])
@@ -717,13 +722,13 @@ def test_warning_of_the_start_velocity(tmp_path, figures):
     ((0, -0.05, 0), True), ((0, -0.2, 0), False), ((0, 0, 0), False),
     ((0.1, 0, 0), False), ((0.1, -0.2, 0), False)))
 def test_warning_of_a_start_against_the_motion(tmp_path, U, warned):
-    """pointU may have what is free only, or all; x is free."""
+    """pointU may have the free motion only, or the whole motion; x is free."""
     case = SmallCase(tmp_path, Body(cells=(2, 2), velocity=U, material=rigid(
         motion={"velocity": (0, -0.2, 0)}, freeTranslation="(x)")), 0.1,
         control={**FIXED, "deltaT": 0.01}, preset=DEFAULT)
     code, log = case.attempt()
     assert code == 0, log
-    assert ("not one that" in log) == warned, log
+    assert ("this rigid body cannot move" in log) == warned, log
 
 
 def moved(name, beside=None, **coeffs):
@@ -746,7 +751,7 @@ BAD = {
         "solidBodyMotionFunction": "rotatingMotion", **TURN, "axsi": 1}},
         "'axsi'. Did you mean 'axis'"),
     "no pose": (moved("drivenLinearMotion", CofGvelocity="U"),
-                "nowhere at a time that is given"),
+                "no position at a given time"),
     "no motion": (moved("multiMotion"), "multiMotion"),
     "no dictionary": (moved("multiMotion", a=1), "'a' of multiMotion"),
     "part": (moved("multiMotion", a={
@@ -784,10 +789,11 @@ def test_bad_input(tmp_path, name):
 
 
 @pytest.mark.parametrize("first, last, told", (
-    (0, 0.5, "no pose at time 1 s"), (0.5, 1, "no pose at time 0 s"),
+    (0, 0.5, "no position at time 1 s"), (0.5, 1, "no position at time 0 s"),
     (0, 1, "")))
 def test_table_of_a_motion(tmp_path, first, last, told):
-    """One that does not reach over the run is told of before the first step."""
+    """A table that does not cover the run is reported before the first
+    step."""
     tmp_path.mkdir(exist_ok=True)
     (tmp_path/"poses").write_text(
         f"(({first} ((0 0 0) (0 0 0))) ({last} ((0 1 0) (0 0 0))))\n")
@@ -819,7 +825,7 @@ def test_freedom_that_the_plane_has_not(tmp_path, keyword, value):
     (moved("rotatingMotion", origin=(0, 0, 0), axis=(0, 0, 1),
            omega=1)["motion"], 1)))
 def test_motion_out_of_the_mesh(tmp_path, motion, dimensions):
-    """A body that turns out of its plane would become narrower there."""
+    """A body that rotates out of its plane would become narrower there."""
     for nDim in (dimensions, 3):
         code, out = SmallCase(
             tmp_path/str(nDim), Body((2,)*nDim, material=rigid(motion=motion)),
@@ -836,7 +842,8 @@ def test_all_rigid_needs_a_step(tmp_path):
 
 @pytest.mark.parametrize("angle", (30, 60, 90))
 def test_sector_between_mirrors(tmp_path, figures, angle):
-    """Two mirrors, at right angles or not, leave no direction of the plane."""
+    """Two mirrors, at right angles or not, leave no free direction in the
+    plane."""
     def sector(X):
         phi = np.radians(angle)*X[:, 1]
         return np.column_stack((X[:, 0]*np.cos(phi), X[:, 0]*np.sin(phi),
@@ -853,7 +860,7 @@ def test_sector_between_mirrors(tmp_path, figures, angle):
 
 
 def test_sub_cycling_of_rigid_regions_alone(tmp_path):
-    """Nothing is evaluated: the report at the end says so."""
+    """Nothing is evaluated, and the report at the end says so."""
     case = SmallCase(
         tmp_path, [Body((2, 2), name=name, start=(x, 0, 0),
                         material={"type": "rigid", "rho": 1})
@@ -866,9 +873,9 @@ def test_sub_cycling_of_rigid_regions_alone(tmp_path):
 
 @pytest.mark.parametrize("length", (4, 16))
 def test_slender_bar_lands_flat(tmp_path, figures, length):
-    """A bar that may turn about its own axis answers as one that may not. As
-    heavy as its smallest moment of inertia has it, it was soft, and went into
-    a fifth of a face."""
+    """A bar that may rotate about its own axis reacts like a bar that may not.
+    When its compliance was that of its smallest moment of inertia, it was
+    soft, and penetrated by a fifth of a face."""
     case = {}
     for free in "", "()":
         turns = {"freeRotation": free} if free else {}

@@ -9,7 +9,7 @@ from vertexContactTests.caseTools import (Tutorial, checkEnergies, relativeL1,
 from vertexContactTests.mirrorImages import asymmetry
 
 RING = "ringCollision"
-CELL = 1e-3                     # thickness of a cell of Mesh I
+CELL = 1e-3                     # cell thickness of Mesh I
 FULL = Tutorial(RING)
 COARSE = Tutorial(RING, "5")
 LINEAR = Tutorial(RING, scheme=(("reconstruction", "linear"),))
@@ -25,7 +25,8 @@ def reference():
 
 
 def errors(case):
-    """Differences from Mesh III of velocity and displacement of A, relative."""
+    """Relative differences of the velocity and displacement of A from Mesh
+    III."""
     data, result = reference(), []
     for field, key in ("pointU", "vx"), ("pointD", "ux"):
         times, values = case.probe("pointA", field)
@@ -65,7 +66,7 @@ def test_collision_as_on_mesh_III(run, figures):
         data = reference()
         f.atLeast("that of Mesh III less the same", data["E"][-1] - end, 0.02)
 
-        # They part and oscillate
+        # They separate and vibrate
         contact, energies = case.contact("rings"), case.energies
         last = contact["Time"][contact["area"] > 0][-1]
         f.within("last contact [ms]", 1e3*last, 30, 1)
@@ -96,9 +97,9 @@ def test_linear_never_gains_energy(run, figures):
 
 @scenes(LITERAL)
 def test_literal_fails(run, figures):
-    """SigmaJ of the whole energy, as printed in the paper, is not what its
-    dissipation needs: nothing pulls J back to det F, and W >= 0 only where
-    they are the same. The reason for the default 'jacobian volumetric'."""
+    """SigmaJ of the complete energy, as printed in the paper, does not fit its
+    dissipation: nothing pulls J back to det F, and W >= 0 only where they are
+    equal. This is the reason for the default 'jacobian volumetric'."""
     case = run(LITERAL)
     with figures("3.2 rings, jacobian literal") as f:
         f.atMost("energy at 40 ms / initial",
@@ -109,7 +110,7 @@ def test_literal_fails(run, figures):
 
 @scenes(FULL, NATIVE)
 def test_native_dual_agrees(run, figures):
-    """Both duals of the same mesh, against Mesh III of the default."""
+    """Both duals of the same mesh, compared with Mesh III of the default."""
     def cost(case):
         lines = [line for line in case.log().splitlines()
                  if line.startswith("ExecutionTime")]

@@ -8,8 +8,8 @@ from vertexContactTests.caseTools import (DEFAULT, PRESET, Case, checked,
                                           copyTutorials)
 from vertexContactTests.smallCases import RUBBER, Body, SmallCase, largest
 
-WAVES = np.sqrt((1 - 0.3)/((1 + 0.3)*(1 - 2*0.3)))  # speed in RUBBER
-OMEGA = 0.2*WAVES                           # as the cube of the tutorial
+WAVES = np.sqrt((1 - 0.3)/((1 + 0.3)*(1 - 2*0.3)))  # wave speed in RUBBER
+OMEGA = 0.2*WAVES                           # as in the tutorial of the cube
 FIELDS = "pointU", "pointD", "F", "sigma"
 
 
@@ -21,7 +21,7 @@ def tutorial(name, folder, preset=PRESET, **options):
 
 
 def drift(L):
-    """Largest change of a vector, over its initial magnitude."""
+    """Largest change of a vector, relative to its initial magnitude."""
     return np.max(np.linalg.norm(L - L[0], axis=1))/np.linalg.norm(L[0])
 
 
@@ -29,8 +29,8 @@ def drift(L):
 
 @pytest.mark.parametrize("nu", ("0.3", "0.495"))
 def test_twisting_column(tmp_path, figures, nu):
-    """Nearly all of the kinetic energy of the twist becomes strain energy. The
-    total energy never rises above the initial one."""
+    """Almost all kinetic energy of the twist becomes strain energy. The total
+    energy never rises above the initial energy."""
     case = tutorial("twistingColumn", tmp_path, MESH="I", NU=nu)
     total = case.totalEnergy
     exact = 0.5*1100/6*105**2*3     # (rho/2) int omega^2 dy, int r^2 dA = 1/6
@@ -54,8 +54,8 @@ def test_twisting_column(tmp_path, figures, nu):
 # Spinning cube
 
 def test_spinning_cube(tmp_path, figures):
-    """Angular momentum, all of its components, is constant to round-off in
-    ten turns, and the energy never rises above the initial one."""
+    """All components of the angular momentum are constant to round-off in ten
+    turns, and the energy never rises above the initial energy."""
     case = tutorial("spinningCube", tmp_path, preset=DEFAULT, MESH="I")
     total = case.totalEnergy
     L, p = case.angularMomentumOf(), case.momentumOf()
@@ -65,7 +65,7 @@ def test_spinning_cube(tmp_path, figures):
                  L[0, 2]/(1100*30/6), 1, 0.06)
         f.atMost("change of angular momentum / initial", drift(L), 1e-10)
         f.atMost("momentum / (mass omega edge)", largest(p)/(1100*30), 1e-12)
-        # Of second order: the square of the angle of a step is 3.9e-4
+        # Second order: the square of the angle per step is 3.9e-4
         f.atMost("balance / initial energy",
                  largest(case.energies["total:balance"])/total[0], 4e-4)
         f.atLeast("energy after ten turns / initial", total[-1]/total[0],
@@ -77,7 +77,7 @@ def test_spinning_cube(tmp_path, figures):
 # Small bodies
 
 def spinning(cells, axis=(0, 0, 1), velocity=(0, 0, 0), **more):
-    """A body about the origin in rotation, and in translation."""
+    """A body at the origin with a rotation and a translation."""
     omega = OMEGA*np.array(axis)/np.linalg.norm(axis)
     more = {"start": (-0.5, -0.5, -0.5), **more}
     return Body(cells=cells, material=dict(RUBBER),
@@ -91,8 +91,8 @@ def turns(number, preset=DEFAULT):
 
 @pytest.mark.parametrize("cells", ((8, 6), (5, 4, 6)))
 def test_moving_parallel(tmp_path, figures, cells):
-    """A block that flies and spins about an axis of its own: angular momentum
-    about the origin is kept, and two ranks agree with one."""
+    """A block flies and spins about an axis of its own. Its angular momentum
+    about the origin is conserved, and two ranks agree with one."""
     axis = (0, 0, 1) if len(cells) == 2 else (1, 1, 2)
     speed = 0.1*np.array((1, -2, len(cells) - 2))
     body = spinning(cells, axis, velocity=speed, size=(1.2, 0.8, 1),
@@ -116,13 +116,13 @@ def test_moving_parallel(tmp_path, figures, cells):
 
 @pytest.mark.parametrize("reconstruction", ("full", "linear"))
 def test_mirror(tmp_path, figures, reconstruction):
-    """The upper half of a cube, with a mirror through the centre across the
-    axis of rotation, does what the upper half of the whole does."""
+    """The upper half of a cube, with a mirror through the centre normal to the
+    axis of rotation, moves like the upper half of the whole cube."""
     scheme = {"reconstruction": reconstruction}
     whole = spinning((4, 4, 4), name="whole", scheme=scheme)
     half = spinning((4, 4, 2), name="half", scheme=scheme, size=(1, 1, 0.5),
                     start=(-0.5, -0.5, 0), sides={"back": "symmetryPlane"})
-    # In one run, so that their steps are the same
+    # In one run, so that both have the same steps
     case = SmallCase(tmp_path, [whole, half], **turns(1, PRESET)).run()
     row = {tuple(x): i for i, x in
            enumerate(np.round(case.X("whole"), 9) + 0.0)}

@@ -1,5 +1,5 @@
-"""A hairpin of which the legs clap together, Mesh I, against its upper half on
-a rigid plane."""
+"""The legs of a hairpin clap together (Mesh I), compared with its upper half
+on a rigid plane."""
 
 import numpy as np
 import pytest
@@ -16,7 +16,8 @@ scenes = pytest.mark.scenes
 
 
 def difference(case, half, point, field, end):
-    """From the half, relative L1, y component at a point until a time."""
+    """Relative L1 difference from the half, y component at a point until a
+    time."""
     t, values = case.probe(point, field)
     t0, expected = half.probe(point, field)
     expected, t0 = expected[t0 <= end], t0[t0 <= end]
@@ -27,8 +28,8 @@ def difference(case, half, point, field, end):
 @pytest.mark.parametrize("scene", (SELF, NON_MATCHING),
                          ids=("self", "nonMatching"))
 def test_whole_does_as_the_half(run, figures, scene):
-    """The same but for what a rigid plane at the nodes and overlaps of faces
-    make of it: the tips bounce off each other some ten times."""
+    """Both are equal except for the difference between a rigid plane at nodes
+    and overlaps of faces: the tips bounce off each other about ten times."""
     case, half = run(scene), run(HALF)
     with figures(f"Self-contact, {dict(scene.options)['SCENE']}, and half"
                  ) as f:

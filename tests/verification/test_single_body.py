@@ -1,4 +1,4 @@
-"""One body without contact, against exact solutions and invariants."""
+"""One body without contact, compared with exact solutions and invariants."""
 
 import re
 from dataclasses import replace
@@ -28,12 +28,12 @@ def block(dimensions, n, amplitude=0.3, **more):
                 moved=distorted(amplitude, dimensions=dimensions), **more)
 
 
-# Exactness
+# Exact results
 
 @pytest.mark.parametrize("dimensions", (2, 3))
 def test_free_stream(tmp_path, figures, dimensions):
-    """A uniform velocity stays what it is on a distorted mesh, D = v t,
-    F = I, and no stress arises."""
+    """A uniform velocity on a distorted mesh stays uniform: D = v t, F = I,
+    and there is no stress."""
     v = np.array((0.3, -0.2, 0.1))*(np.arange(3) < dimensions)
     bodies = [block(dimensions, 5, name=f"{cells}{law}", velocity=v,
                     material=material(law), scheme={"cells": cells})
@@ -51,9 +51,9 @@ def test_free_stream(tmp_path, figures, dimensions):
 
 @pytest.mark.parametrize("dimensions", (1, 2, 3))
 def test_squeezed_metal(tmp_path, figures, dimensions):
-    """Metal that is pressed together between mirrors to 0.4 of its length is
-    stiffer by nine times, which the step has to follow: sigma = M ln l/l, less
-    2/3 of what the deviator is beyond the yield stress."""
+    """Metal compressed between mirrors to 0.4 of its length is nine times as
+    stiff, and the step must follow: sigma = M ln l/l, minus 2/3 of the excess
+    of the deviator over the yield stress."""
     E, nu, tauY, length = 1, 0.3, 0.05, 0.4
     mu, kappa = E/(2*(1 + nu)), E/(3*(1 - 2*nu))
     T = 40
@@ -82,8 +82,8 @@ def test_squeezed_metal(tmp_path, figures, dimensions):
 
 
 def test_free_fall(tmp_path, figures):
-    """Body force only: v = g t, D = g t^2/2; momentum = weight x time, and
-    the work of the weight is the kinetic energy."""
+    """Only a body force acts: v = g t, D = g t^2/2. The momentum is weight x
+    time, and the work of the weight is the kinetic energy."""
     g = np.array((0.05, -0.1, 0.02))
     bodies = [block(d, 4, name=f"body{d}", material=material(law))
               for d, law in ((1, "neoHookean"), (2, "MooneyRivlin"),
@@ -126,8 +126,8 @@ def shaken(**more):
     {"maxCo": 0.9}, {"maxCo": 0.9, "massScaling": {"body": {
         "factor": 4, "force": "yes"}}}), ids=("free", "scaled"))
 def test_probe_tells_the_field(tmp_path, figures, control):
-    """A velocity at the time of the state, and not that of the leapfrog half a
-    step before."""
+    """The velocity of a probe belongs to the time of the state. It is not the
+    leapfrog velocity half a step earlier."""
     g, end = 100, 0.1
     case = SmallCase(
         tmp_path, Body((10,), velocity=(1, 0, 0), material=material(LAWS[1])),
@@ -144,8 +144,8 @@ def test_probe_tells_the_field(tmp_path, figures, control):
 
 
 def test_uniform_body_force(tmp_path, figures):
-    """A uniform body force is the gravity of constant/g, bit by bit, and two
-    of half its size are, too."""
+    """A uniform body force equals the gravity of constant/g bit by bit. So do
+    two forces of half the size."""
     g = np.array((0.1, 0.05, -0.2))
     forces = {"weight": {"type": "uniform", "acceleration": g}}
     halves = {name: {"type": "uniform", "acceleration": g/2}
@@ -175,9 +175,9 @@ def test_uniform_body_force(tmp_path, figures):
 
 def test_body_force_in_time(tmp_path, figures):
     """A uniform body force that changes in time gives a free body its impulse,
-    by the trapezoidal rule of the two stages, and no stress; a body between
-    mirrors keeps off them; and the power of the force closes the balance of
-    energies."""
+    by the trapezoidal rule of the two stages, and causes no stress. A body
+    between mirrors does not leave them, and the power of the force closes the
+    energy balance."""
     times, a = (0, 0.7, 1.1, 3), np.array(
         ((0, 0, 0), (0.1, -0.2, 0.05), (-0.3, 0.1, 0.2), (0, 0.2, -0.1)))
     forces = {"shaking": {"type": "uniform",
@@ -217,9 +217,9 @@ def test_body_force_in_time(tmp_path, figures):
 
 @pytest.mark.parametrize("dimensions", (1, 2, 3))
 def test_linear_displacement(tmp_path, figures, dimensions):
-    """An initial displacement D = A X gives F = I + A at every node, corners
-    included, and the stress of the law: neo-Hookean,
-    J sigma = mu J^(-2/3) dev(F F^T) + kappa (J - 1) J I."""
+    """An initial displacement D = A X gives F = I + A at every node, including
+    corners, and the stress of the law: for neo-Hookean J sigma = mu J^(-2/3)
+    dev(F F^T) + kappa (J - 1) J I."""
     A = np.array(((0.1, 0.05, -0.03), (-0.2, 0.15, 0.04), (0.02, 0.1, -0.1)))
     A[dimensions:] = 0
     A[:, dimensions:] = 0
@@ -253,7 +253,7 @@ def bar(n=200, **more):
 
 
 def waveErrors(case, at, exact):
-    """Relative L1 errors in time of v and sigma at a probe; exact gives both
+    """Relative L1 errors in time of v and sigma at a probe; exact returns both
     for a time."""
     t, u = case.probe(at, "pointU")
     _, s = case.probe(at, "sigma")
@@ -270,16 +270,16 @@ def worked(case):
 
 
 def balance(case):
-    """Largest residual of the energy balance over the work done."""
+    """Largest residual of the energy balance relative to the work."""
     return largest(case.energies["total:balance"])/largest(worked(case))
 
 
 @pytest.mark.parametrize("fixed", (False, True))
 def test_traction_step(tmp_path, figures, fixed):
-    """A traction s at the end x = 1 from t = 0 on sends a wave: sigma = s,
-    v = s/(rho c). At x = 0 it is reflected, free: sigma = 0, v = 2s/(rho c);
-    fixed: sigma = 2s, v = 0. The work is s^2 t/(rho c), until the wave is
-    back at t = 2."""
+    """A traction s at the end x = 1 from t = 0 on sends a wave with sigma = s,
+    v = s/(rho c). At x = 0 it is reflected. Free end: sigma = 0, v = 2s/(rho
+    c); fixed end: sigma = 2s, v = 0. The work is s^2 t/(rho c) until the wave
+    returns at t = 2."""
     s = -0.01
     sides = {"right": condition("traction", traction=(s, 0, 0))}
     if fixed:
@@ -321,9 +321,9 @@ def test_traction_step(tmp_path, figures, fixed):
 
 @pytest.mark.parametrize("kind", ("traction", "fixedVelocity"))
 def test_ramp_travels_unchanged(tmp_path, figures, kind):
-    """A load that rises linearly to its value at T = 0.5, from a table of
-    times: at distance x the same in v and sigma = +-rho c v, later by x/c;
-    its work is s^2 T/3 + s^2 (t - T), for s = rho c V."""
+    """A load rises linearly to its value at T = 0.5, from a table of times. At
+    distance x the same rise appears in v and sigma = +-rho c v, later by x/c.
+    The work is s^2 T/3 + s^2 (t - T), for s = rho c V."""
     s, T = 0.01, 0.5
     name = {"traction": "traction", "fixedVelocity": "velocity"}[kind]
     load = table((0, (0, 0, 0)), (T, (s, 0, 0)), (9, (s, 0, 0)))
@@ -348,9 +348,9 @@ def test_ramp_travels_unchanged(tmp_path, figures, kind):
 @pytest.mark.parametrize("reconstruction, least", (
     ("none", 0.8), ("linear", 1.7), ("full", 1.7)))
 def test_order_in_space(tmp_path, figures, reconstruction, least):
-    """Standing wave between free ends, v = V cos(pi x) cos(pi t),
-    sigma = -rho c V sin(pi x) sin(pi t): order of the L2 errors at t = 0.75
-    on 32, 64 and 128 elements, without limiter."""
+    """Standing wave between free ends, v = V cos(pi x) cos(pi t), sigma = -rho
+    c V sin(pi x) sin(pi t): order of the L2 errors at t = 0.75 on 32, 64 and
+    128 elements, without limiter."""
     V, T = 0.01, 0.75
     errors = []
     for n in 32, 64, 128:
@@ -377,8 +377,8 @@ def test_order_in_space(tmp_path, figures, reconstruction, least):
 # Invariants
 
 def pressureRatio(dimensions, p, nu=0.3):
-    """J of a neo-Hookean body under all-sided pressure; in plane strain
-    sigma = mu J^(-5/3) (J - 1)/3 + kappa (J - 1) in the plane."""
+    """Pressure over J for a neo-Hookean body under pressure from all sides. In
+    plane strain sigma = mu J^(-5/3) (J - 1)/3 + kappa (J - 1) in the plane."""
     mu, kappa = 0.5/(1 + nu), 1/(3*(1 - 2*nu))
     J = 1.0
     for _ in range(100):
@@ -389,8 +389,8 @@ def pressureRatio(dimensions, p, nu=0.3):
 
 @pytest.mark.parametrize("dimensions", (2, 3))
 def test_pressure_on_all_sides(tmp_path, figures, dimensions):
-    """Pressure on all sides, ramped over many wave transits: the body takes
-    the volume of static equilibrium, kappa (1 - J) = p in 3D, and its
+    """Pressure from all sides that rises during many wave transits: the body
+    takes the volume of static equilibrium, kappa (1 - J) = p in 3D, and its
     momentum stays zero."""
     p, T = 0.1, 30
     load = condition("pressure", pressure=table((0, 0), (T, p), (99, p)))
@@ -411,7 +411,7 @@ def test_pressure_on_all_sides(tmp_path, figures, dimensions):
 
 
 def currentVolume(case, body):
-    """Area of a deformed 2D block, from its outline."""
+    """Area of a deformed 2D block from its outline."""
     X = case.X(body)
     x = (X + case.at("pointD", region=body))[:, :2]
     X = X[:, :2]
@@ -440,11 +440,11 @@ def spin(omega, centre=(0.5, 0.5, 0.5), axis=2):
     ("full", "BarthJespersen", 0.15)))
 def test_pressure_on_a_rotating_body(tmp_path, figures, reconstruction,
                                      limiter, drift):
-    """A body that rotates and rings under pressure from all sides: the load
-    turns with it. Its resultant and moment vanish and its work is
-    -p (volume change), whatever the deformation; up to errors of the mesh.
-    Limited jumps of velocity at extrema, component by component, take part in
-    the rotation and brake it: the drifts with a limiter are what that costs."""
+    """A body rotates and vibrates under pressure from all sides; the load
+    follows the rotation. Its resultant and moment vanish and its work is -p
+    (volume change), for any deformation, up to errors of the mesh. The limiter
+    acts on each component of the velocity jumps at extrema. This disturbs the
+    rotation and slows it: the drifts with a limiter show how much."""
     p, omega, T = 0.1, 0.2, 5
     load = condition("pressure", pressure=p)
     sides = {side: load for side in ("left", "right", "bottom", "top")}
@@ -476,8 +476,8 @@ def test_pressure_on_a_rotating_body(tmp_path, figures, reconstruction,
 
 
 def mirrored(function):
-    """A field of a quarter or eighth, continued by mirror symmetry to
-    negative coordinates."""
+    """A field of a quarter or eighth, extended by mirror symmetry to negative
+    coordinates."""
     def whole(X):
         sign = np.where(X < 0, -1, 1)
         return sign*function(np.abs(X))
@@ -487,9 +487,9 @@ def mirrored(function):
 @pytest.mark.parametrize("limiter", ("none", "BarthJespersen"))
 @pytest.mark.parametrize("dimensions", (2, 3))
 def test_symmetry(tmp_path, figures, dimensions, limiter):
-    """A quarter (2D) or eighth (3D) with symmetryPlane or slip is the whole
-    body, which is compressed by a traction, an initial displacement and an
-    initial velocity."""
+    """A quarter (2D) or eighth (3D) with symmetryPlane or slip equals the
+    whole body, which is compressed by a traction, an initial displacement and
+    an initial velocity."""
     n = 6 if dimensions == 2 else 3
     d = dimensions
     inside = np.arange(3) < d
@@ -525,7 +525,7 @@ def test_symmetry(tmp_path, figures, dimensions, limiter):
     slip = replace(part, name="slip", sides={
         **part.sides, **{side: "slip" for side in ("left", "bottom", "back")}})
 
-    # In one run, so that their steps are the same
+    # In one run, so that both have the same steps
     case = SmallCase(tmp_path, [whole, part, slip], endTime=3).run()
     X = case.X("whole")
     row = {tuple(x): i for i, x in enumerate(np.round(X, 9) + 0.0)}
@@ -549,7 +549,7 @@ def test_symmetry(tmp_path, figures, dimensions, limiter):
 # Options that must agree
 
 def vibration(dimensions, n, scale, **scheme):
-    """A block in smooth vibration."""
+    """A block with a smooth vibration."""
     def velocity(X):
         x, y, z = np.pi*X.T
         v = scale*np.stack((np.cos(x)*np.cos(y), np.cos(x)*np.cos(y),
@@ -571,9 +571,9 @@ FORMS = "volumetric", "literal"
 
 @pytest.mark.parametrize("dimensions", (2, 3))
 def test_small_strain_kinematics_agree(tmp_path, figures, dimensions):
-    """At strains of 1e-6, whether H is solved or derived from F is the same
-    up to terms of second order, and so are both forms of the Jacobian where
-    J is det F."""
+    """At strains of 1e-6, solving H or deriving it from F gives the same
+    result up to second-order terms. Where J is det F, both forms of the
+    Jacobian agree as well."""
     bodies = [vibration(dimensions, 6, 1e-6, kinematics=k, jacobian=j)
               for k in KINEMATICS for j in FORMS]
     case = SmallCase(tmp_path, bodies, endTime=1).run()
@@ -587,9 +587,9 @@ def test_small_strain_kinematics_agree(tmp_path, figures, dimensions):
 
 
 def test_small_strain_dissipation(tmp_path, figures):
-    """At strains of 1e-6, with J solved or not and for both forms of the
-    Jacobian, smooth solutions differ by numerical dissipation, which falls
-    with the mesh."""
+    """At strains of 1e-6, smooth solutions with and without solved J, and with
+    both forms of the Jacobian, differ only by numerical dissipation, which
+    falls with the cell size."""
     pairs = (("Fvolumetric", "FHJvolumetric"), ("FHJliteral", "FHJvolumetric"))
     found = {pair: [] for pair in pairs}
     for n in 8, 16, 32:
@@ -609,8 +609,8 @@ def test_small_strain_dissipation(tmp_path, figures):
 
 
 def test_near_incompressible(tmp_path, figures):
-    """nu = 0.4999: a 2D block hits a rigid base. No checkerboard of pressure:
-    the part of it that alternates from node to node stays small."""
+    """nu = 0.4999: a 2D block hits a rigid base. There is no pressure
+    checkerboard: the alternating part from node to node stays small."""
     n = 16
     law = material("neoHookean", 0.4999)
     clamp = condition("fixedVelocity", velocity=(0, 0, 0))
@@ -642,7 +642,7 @@ def test_near_incompressible(tmp_path, figures):
                   checkerboard("F")/checkerboard("FHJ"), 1)
 
 
-# Runs in parts
+# Decomposed and interrupted runs
 
 FIELDS = "pointU", "pointD", "lm", "F", "H", "J", "sigma", "pressure"
 
@@ -663,7 +663,7 @@ def column(**more):
 
 @pytest.mark.parametrize("method", ("metis", "random"))
 def test_parallel(tmp_path, figures, method):
-    """3 ranks, by METIS and by chance cell by cell, give the serial result."""
+    """Three ranks, by METIS or with random cells, give the serial result."""
     serial = SmallCase(tmp_path/"serial", column(), endTime=4).run()
     parallel = SmallCase(tmp_path/"parallel", column(), endTime=4)
     parallel.runParallel(3, method)
@@ -678,7 +678,7 @@ def test_parallel(tmp_path, figures, method):
 
 
 def test_restart(tmp_path, figures):
-    """A run in two parts is the run in one, bit by bit."""
+    """A run in two parts equals the run in one part, bit by bit."""
     control = {"writeInterval": 1}
     straight = SmallCase(tmp_path/"straight", column(), endTime=2,
                          control=control).run()
@@ -698,8 +698,8 @@ def test_restart(tmp_path, figures):
 
 @pytest.mark.parametrize("ranks", (1, 2))
 def test_inverted_body_ends_the_run(tmp_path, figures, ranks):
-    """A body that is turned inside out ends the run, with the place and the
-    time, and the last good state is written."""
+    """If a body is turned inside out, the run ends with the place and the
+    time, and writes the last good state."""
     body = block(2, 6, velocity=lambda X: -30*(X - 0.5)*(1, 1, 0))
     case = SmallCase(tmp_path, body, endTime=1)
     code, output = case.attempt(ranks)

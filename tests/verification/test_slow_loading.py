@@ -1,5 +1,5 @@
-"""Slow loading: scaled masses, damping, and relaxation, against theory and
-statics."""
+"""Slow loading: mass scaling, damping, and relaxation, compared with theory
+and static solutions."""
 
 import re
 
@@ -35,7 +35,7 @@ def relaxing(tolerance=1e-3, **more):
 
 
 def ending(case):
-    """The residual and the number of peaks with which a run ended."""
+    """The final residual and the number of peaks of a run."""
     found = re.search(r"Relaxation: residual (\S+) after (\d+) peaks, below",
                       case.output)
     assert found, case.output[-2000:]
@@ -48,14 +48,14 @@ def ending(case):
                          ids=("1D", "2D", "3D"))
 @pytest.mark.parametrize("nu", (0.3, 0.49))
 def test_target_step(tmp_path, figures, cells, nu):
-    """The stable step is the one that is asked for; no more mass than that
-    needs, and none where it is stable already."""
+    """The stable step equals the given step. No more mass is added than this
+    needs, and none if the step is stable already."""
     def stable(name, **control):
         body = Body(cells=cells, material={**RUBBER, "nu": nu})
         case = make(tmp_path/name, body, 10, **control)
         output = checked(["vertexContactFoam", "-dry-run"], case.path)
         factor = re.search(r"as if it had (\S+) times", output)
-        return (float(re.search(r"stable are (\S+) s", output)[1]),
+        return (float(re.search(r"stable step is (\S+) s", output)[1]),
                 factor and float(factor[1]))
 
     own, _ = stable("own")
@@ -70,7 +70,7 @@ def test_target_step(tmp_path, figures, cells, nu):
 
 @pytest.mark.parametrize("preset", (DEFAULT, "paper"))
 def test_weight(tmp_path, figures, preset):
-    """Bodies of scaled mass fall slower, under the same weight."""
+    """Bodies with scaled mass fall more slowly under the same weight."""
     g, factor, time = 0.3, 9, 2.0
     body = Body(cells=(4, 4), velocity=(0.1, 0, 0))
     case = finished(make(
@@ -94,7 +94,7 @@ def test_weight(tmp_path, figures, preset):
 
 
 def test_another_factor(tmp_path, figures):
-    """A run that goes on with another factor keeps its velocities."""
+    """A restarted run with another factor keeps its velocities."""
     body = Body(cells=(4, 4), velocity=(0.1, 0.2, 0))
     case = finished(make(tmp_path/"case", body, 1, massScaling={
         "body": {"factor": 4, "force": "yes"}}))
@@ -106,8 +106,8 @@ def test_another_factor(tmp_path, figures):
 
 
 def test_scaled_contact(tmp_path, figures):
-    """Impact of two equal bars of which one has nine times its mass, by
-    scaling and by its density: the same to round-off."""
+    """Impact of two equal bars. One has nine times its mass, by scaling or by
+    its density: the results are equal to round-off."""
     def bars(name, rho, **control):
         bodies = [Body(cells=(20,), name=n, start=(x, 0, 0),
                        material={**ELASTIC, "rho": r}, velocity=(v, 0, 0),
@@ -127,9 +127,9 @@ def test_scaled_contact(tmp_path, figures):
 
 
 def test_scaled_energies(tmp_path, figures):
-    """A block of scaled mass falls on one that is held, with one step for both:
-    the balance of all energies is that of the scaled mass. With the true one
-    it would miss almost all of the kinetic energy."""
+    """A block with scaled mass falls on a held block, with one step for both.
+    The balance of all energies is that of the scaled mass. With the true mass
+    almost all of the kinetic energy would be missing."""
     g, factor = 0.02, 9
     block = Body(cells=(6, 5), name="block", start=(0, 1.02, 0),
                  velocity=(0, -0.05, 0), sides={"bottom": "contact"})
@@ -158,7 +158,8 @@ def test_scaled_energies(tmp_path, figures):
 # Damping
 
 def test_free_decay(tmp_path, figures):
-    """exp(-c t), exactly, however long the steps, and the energy balances."""
+    """The motion decays by exp(-c t), exactly for any step, and the energy
+    balances."""
     c, time = 3.0, 2.0
     body = Body(cells=(3, 3), velocity=(0.1, 0.2, 0))
     case = finished(make(tmp_path/"case", body, time, damping={
@@ -179,8 +180,8 @@ def test_free_decay(tmp_path, figures):
 
 
 def test_function_of_time(tmp_path, figures):
-    """Damping of a region that grows with time; another has none. Of second
-    order."""
+    """The damping of one region grows with time; another region has none. The
+    error has second order."""
     errors = []
     for n in 8, 16, 32:
         bodies = [Body(cells=(3,), name=name, start=(x, 0, 0),
@@ -199,8 +200,8 @@ def test_function_of_time(tmp_path, figures):
 
 
 def test_damped_vibration(tmp_path, figures):
-    """The first mode of a bar that is held at its end: frequency and decay;
-    the balance is as good as without damping."""
+    """The first mode of a bar that is held at its end: frequency and decay.
+    The balance is as good as without damping."""
     c, n, time = 0.4, 40, 4.0
     w = np.pi/2
 
@@ -228,8 +229,8 @@ def test_damped_vibration(tmp_path, figures):
 
 
 def test_damped_supports(tmp_path, figures):
-    """Nodes whose motion is prescribed, wholly or along some direction, are not
-    damped: the body is drawn along, and its drag is the reaction."""
+    """Nodes with a prescribed motion, complete or along a direction, are not
+    damped: they move the body, and the reaction has its drag."""
     c, v = 0.5, 0.01
     body = Body(cells=(6, 4), material=ELASTIC, size=(1, 0.5, 1), sides={
         "left": condition("fixedVelocity", velocity=(v, 0, 0)),
@@ -250,8 +251,8 @@ def test_damped_supports(tmp_path, figures):
 
 @pytest.mark.parametrize("own", ("no", "yes"))
 def test_damped_contact(tmp_path, figures, own):
-    """A plate falls on a column and comes to rest, with one step and with steps
-    of their own: the exact compression."""
+    """A plate falls on a column and comes to rest, with one step and with
+    subCycling: the compression is exact."""
     g, c = 0.01, 2.0
     column = Body(cells=(10,), name="column", material=ELASTIC,
                   sides={"left": HELD, "right": "contact"})
@@ -275,8 +276,8 @@ def test_damped_contact(tmp_path, figures, own):
 # Relaxation
 
 def reportedPeriods(f, case, period, balance=None):
-    """How a run ended; its balance is at most 1e-5 of the strain energy, or as
-    given."""
+    """Record the end of a run. Its energy balance is at most 1e-5 of the
+    strain energy, or as given."""
     residual, peaks = ending(case)
     e = case.energies
     energy = largest(e["total:strain"])
@@ -308,7 +309,7 @@ def test_sag(tmp_path, figures):
 
 def test_bent_beam(tmp_path, figures):
     """A cantilever under a shear force at its end, in plane stress: theory of
-    beams with shear, and its own statics."""
+    beams with shear, and the static state of the same mesh."""
     height, force = 0.2, 2e-6
     sides = {"left": HELD, "right": condition(
         "traction", traction=(0, -force/height, 0))}
@@ -332,7 +333,7 @@ def test_bent_beam(tmp_path, figures):
 
 
 def rings(folder, interference=1e-3, relaxes=True, **control):
-    """A quarter of a ring that is pressed onto another one."""
+    """A quarter of two rings, one pressed onto the other."""
     a, b, c = 0.6, 0.8, 1.0
     sides = {"bottom": MIRROR, "top": MIRROR}
     bodies = [
@@ -360,9 +361,9 @@ def test_press_fit(tmp_path, figures):
     pressure = delta/(outer + inner)
     case = finished(rings(tmp_path/"case", delta))
 
-    # What starts inside each other is pushed apart within a few steps, with
-    # the shortest waves: the balance closes to a tenth, with relaxation or
-    # without
+    # Bodies that start inside each other are pushed apart within a few steps,
+    # with the shortest waves: the balance closes to a tenth, with relaxation
+    # or without
     free = finished(rings(tmp_path/"free", delta, False, endTime=1))
     moved = case.at("pointD", region="outer")
     X = case.X("outer")
@@ -375,7 +376,7 @@ def test_press_fit(tmp_path, figures):
                  largest(radial/(pressure*outer) - 1), 0.01)
         f.atMost("of the outer surface", largest(
             outward/(2*pressure*b**2*c/(E*(c**2 - b**2))) - 1), 0.01)
-        # The slowest mode that a quarter of a ring has: oval
+        # The slowest mode of a quarter of a ring: oval
         h, R = c - a, 0.5*(a + c)
         oval = 6/np.sqrt(5)*np.sqrt(E*h**2/12)/R**2
         reportedPeriods(f, case, 2*np.pi/oval,
@@ -383,8 +384,8 @@ def test_press_fit(tmp_path, figures):
 
 
 def test_ramp(tmp_path, figures):
-    """With a motion that is prescribed and goes on the run does not end; what
-    is done begins when it is asked to."""
+    """The run does not end while a prescribed motion goes on. Relaxation
+    begins at the given start time."""
     body = Body(cells=(10,), material=ELASTIC, sides={
         "left": HELD, "right": condition(
             "fixedDisplacement", displacement=table(
@@ -405,7 +406,8 @@ def test_ramp(tmp_path, figures):
 
 
 def test_rigid_weight(tmp_path, figures):
-    """A rigid weight on a column comes to rest, and counts in the residual."""
+    """A rigid weight on a column comes to rest and is included in the
+    residual."""
     g, mass = 0.01, 0.5
     column = Body(cells=(6, 6), name="column", material=ELASTIC, sides={
         "bottom": HELD, "top": "contact", "left": MIRROR, "right": MIRROR})
@@ -427,7 +429,7 @@ def test_rigid_weight(tmp_path, figures):
             0.01)
 
 
-# As everywhere
+# Restart and list of keywords
 
 def everything(folder, **more):
     return rings(folder, 2e-3, damping={"inner": {"coefficient": 0.2}},
@@ -437,7 +439,8 @@ def everything(folder, **more):
 
 @pytest.mark.parametrize("ranks", (1, 2))
 def test_restart(tmp_path, figures, ranks):
-    """Bit by bit, with scaled mass, damping, relaxation and contact."""
+    """A restarted run is equal bit by bit, with scaled mass, damping,
+    relaxation and contact."""
     case = everything(tmp_path/"case")
 
     def look(case, output):
@@ -471,7 +474,7 @@ def test_ranks(tmp_path, figures):
 
 
 def test_list(tmp_path):
-    """-listControls has all keywords, with unit and meaning."""
+    """-listControls has all keywords, with units and meanings."""
     output = execute(["vertexContactFoam", "-listControls"], tmp_path).stdout
     for word in ("preset", "subCycling", "massScaling", "relaxation",
                  "massScaling/<region>/factor", "damping/<region>/coefficient",

@@ -1,5 +1,5 @@
-"""Bodies that lie on each other: a stack of rubber and steel at its static sag,
-and a block in the corner between two others."""
+"""Bodies that lie on each other: a stack of rubber and steel with its static
+sag, and a block in the corner between two others."""
 
 import numpy as np
 import pytest
@@ -12,13 +12,13 @@ CLAMP = condition("fixedVelocity", velocity=(0, 0, 0))
 
 
 def coming(weight, time):
-    """Gravity that is switched on without a jolt."""
+    """Gravity that rises smoothly."""
     return slowly(time, np.zeros(3), np.array(weight))
 
 
 def test_sag_of_a_stack(tmp_path, figures):
-    """Rubber, steel, rubber on a plane, no meshes that match, no friction:
-    their heights at rest are those of statics, and remain."""
+    """Rubber, steel and rubber on a plane, without matching meshes and
+    friction: their heights at rest are the static ones, and remain."""
     g, h, T = 0.002, 0.5, 1200
     rubber = {"type": "neoHookean", "rho": 1, "E": 1, "nu": 0.45}
     steel = {"type": "neoHookean", "rho": 8, "E": 200, "nu": 0.3}
@@ -38,7 +38,7 @@ def test_sag_of_a_stack(tmp_path, figures):
                      functions=("contactForces",), preset=DEFAULT,
                      control={"writeInterval": T/12}).run()
 
-    # Stress -(above + rho g (h - y)) of a strip that is free to widen
+    # Stress -(above + rho g (h - y)) in a strip that can widen freely
     above, foot, sags = 0, 0, {}
     loads = {}
     for body in reversed(blocks):
@@ -52,7 +52,7 @@ def test_sag_of_a_stack(tmp_path, figures):
         sags[body.name] = foot
 
     def top(body, time):
-        """Its mean over the width, which bulging does not change."""
+        """Mean height over the width, which bulging does not change."""
         X = case.X(body.name)
         D = case.at("pointD", time, body.name)[:, 1]
         line = np.flatnonzero(np.isclose(X[:, 1], X[:, 1].max())
@@ -76,14 +76,16 @@ def test_sag_of_a_stack(tmp_path, figures):
                      / (loads[body] + g*h*next(
                          b.material["rho"] for b in blocks if b.name == body)),
                      1, 0.01)
-            # Rubber becomes wider than steel: its edge bends round it
+            # Rubber widens more than steel: its edge bends round the edge of
+            # the steel
             f.atMost(f"tangential / normal force, {name}", abs(Fx/Fy),
                      1e-6 if name == "floor" else 1e-4)
 
 
 def forcesOf(case, named, pairs):
-    """Forces on the block by each of the pairs, in the last tenth, its row of
-    the interface of all surfaces or an interface of its own."""
+    """Forces on the block by each pair, in the last tenth of the time. The
+    pair has a row of the interface of all surfaces, or an interface of its
+    own."""
     forces = []
     for side, name, other in pairs:
         contact = case.contact(name if named else "all")
@@ -104,8 +106,8 @@ CORNERS = {"named": ((4, 4), (6, 5), (5, 6)),
 
 @pytest.mark.parametrize("name", CORNERS)
 def test_corner_between_three(tmp_path, figures, name):
-    """A block in the corner between two others, pushed into both: its edge
-    touches both, and what holds for one holds for the other, mirrored."""
+    """A block is pushed into the corner between two others: its edge touches
+    both. By mirror symmetry both contacts agree."""
     cells, named = CORNERS[name], name == "named"
     g, T = 0.01, 300 if "3D" in name else 600
     material = {"type": "neoHookean", "rho": 1, "E": 1, "nu": 0.3}
@@ -140,8 +142,8 @@ def test_corner_between_three(tmp_path, figures, name):
                  largest(np.minimum(D[corner][:, :2], 0))*cells[0][0], 0.1)
         f.atMost("energy gained / strain energy",
                  rise(own, case.energies["total:strain"].max()), 1e-3)
-        # Surfaces that give way are no longer flat: each carries a part of
-        # what the other one should
+        # Compliant surfaces are no longer flat: each carries a part of the
+        # load of the other
         for i, c in enumerate("xy"):
             f.within(f"F{c} of both / weight", forces[:, i].sum(), 1, 1e-4)
             f.atMost(f"of the tangential one, F{c}", abs(forces[i, i]), 5e-3)

@@ -1,5 +1,6 @@
-"""Steps of their own: a soft and a stiff body, speeds of waves 1:20, against
-the exact solution, one step for both, and what has to stay as it is."""
+"""subCycling: a soft and a stiff body with wave speeds of 1:20, compared with
+the exact solution and with one step for both, and the properties that must not
+change."""
 
 import re
 import shutil
@@ -14,7 +15,7 @@ from vertexContactTests.contactScenes import boxOnBumper, released
 from vertexContactTests.smallCases import (Body, SmallCase, condition, coulomb,
                                            interface, largest)
 
-RATIO = 20          # of the speeds of waves
+RATIO = 20          # ratio of the wave speeds
 SPEED = 0.01
 THICKNESS = 0.1     # of the stiff body
 FLOOR = {"type": "plane", "planeType": "pointAndNormal",
@@ -26,7 +27,8 @@ def elastic(E, kind="linearElastic", nu=0):
 
 
 def bars(folder, own, n=100, law="frictionless", endTime=0.6, **control):
-    """A soft bar that hits a stiff one, a tenth of the nodes."""
+    """A soft bar that hits a stiff one; the stiff bar has a tenth of the
+    nodes."""
     soft = Body(cells=(n,), name="soft", material=elastic(1),
                 velocity=(SPEED, 0, 0), sides={"right": "contact"})
     stiff = Body(cells=(n//10,), name="stiff", start=(1, 0, 0),
@@ -48,15 +50,15 @@ def finished(case):
 
 
 def evaluations(case):
-    """Nodes that were evaluated, and how many with one step."""
+    """The number of node evaluations, and the number with one step."""
     found = re.search(r"so far (\S+) evaluations of nodes, \S+ of the (\S+) "
-                      "with", case.output)
+                      "that", case.output)
     return float(found[1]), float(found[2])
 
 
 def impulse(t):
-    """Exact impulse of the stiff bar: the pressure falls by the same share
-    each time that waves have gone there and back in it."""
+    """Exact impulse of the stiff bar. The pressure falls by the same factor
+    each time that waves have travelled there and back in it."""
     z = RATIO
     q, back = (z - 1)/(z + 1), 2*THICKNESS/RATIO
     first = SPEED*z/(1 + z)
@@ -65,7 +67,7 @@ def impulse(t):
 
 
 def momentum(case):
-    """Of the stiff bar, which is that of the middle of each step."""
+    """Momentum of the stiff bar, which belongs to the middle of each step."""
     t = case.momentum["Time"]
     return t - np.diff(t, prepend=0)/2, case.momentumOf("stiff")[:, 0]
 
@@ -104,8 +106,8 @@ def test_impact_of_the_exact_solution(tmp_path, figures):
 @pytest.mark.parametrize("law", ("tied", "frictionless"))
 def test_sudden_load_for_long(tmp_path, figures, law):
     """A stiff plate on a soft column that is held below, 10^5 common steps
-    after the weight came on at once: what vibrates is hardly damped, and
-    nothing may feed it."""
+    after the weight was suddenly applied. Vibrations are hardly damped, and
+    nothing may feed them energy."""
     g, step = 0.01, 0.05
     soft = Body(cells=(10,), name="soft", material=elastic(1),
                 sides={"left": condition("fixedVelocity", velocity=(0, 0, 0)),
@@ -130,7 +132,7 @@ def test_sudden_load_for_long(tmp_path, figures, law):
     with figures(f"plate on a column, {law}, 1e5 common steps") as f:
         f.atLeast("short steps in a common one", float(re.search(
             r"now: soft 1 stiff (\d+)", case.output)[1]), 10)
-        # The bodies' energies are not those of one instant
+        # The energies of the bodies belong to different instants
         f.atMost("rise of energy less works / strain energy at rest",
                  max(own - least)/strain, 0.1)
         f.atMost("energy less works, second half / strain energy at rest",
@@ -143,9 +145,9 @@ def test_sudden_load_for_long(tmp_path, figures, law):
 
 @pytest.mark.parametrize("speeds", (1.5, 2, 3, 4))
 def test_tied_bars_do_not_feed_each_other(tmp_path, figures, speeds):
-    """Pairs of bars of 1, 3 and 10 cells, tied, with motions of all waves that
-    the meshes have, with the longest steps: nothing grows, not even where a bar
-    has one cell, whose waves nothing damps."""
+    """Tied pairs of bars of 1, 3 and 10 cells move with all waves of the
+    meshes, with the longest steps. Nothing grows, not even if a bar has one
+    cell, whose waves nothing damps."""
     random = np.random.default_rng(1)
 
     def shaken(X):
@@ -176,7 +178,8 @@ def test_tied_bars_do_not_feed_each_other(tmp_path, figures, speeds):
 
 
 def turning(folder, E=100, pairing="AMI", time=63, **control):
-    """A soft body that turns with a stiff one tied to it; a turn takes 63."""
+    """A soft body rotates with a stiff body that is tied to it; one turn takes
+    63."""
     def spin(X):
         return 0.1*np.cross((0, 0, 1), X - (0.5, 0.6, 0))
 
@@ -198,7 +201,7 @@ def turning(folder, E=100, pairing="AMI", time=63, **control):
 @pytest.mark.parametrize("pairing", ("nearestFace", "AMI"))
 @pytest.mark.parametrize("E, most", ((4, 64), (100, 64), (100, 2)))
 def test_tied_bodies_that_turn(tmp_path, figures, E, most, pairing):
-    """The bond gives no energy, and does not part them."""
+    """The tie adds no energy and holds the bodies together."""
     case = turning(tmp_path/"case", E, pairing, maxSubCycles=most)
     e = case.energies
     own = e["total:kinetic"] + e["total:strain"]
@@ -214,8 +217,8 @@ def test_tied_bodies_that_turn(tmp_path, figures, E, most, pairing):
 
 
 def test_angular_momentum(tmp_path, figures):
-    """A force on the body with the longer step acts where that body is in the
-    middle of its step: its moment is exact to first order in the step."""
+    """A force on the body with the longer step acts at the position in the
+    middle of its step. So its moment is exact to first order in the step."""
     drifts = []
     for maxCo in 0.9, 0.45:
         L = turning(tmp_path/f"{maxCo}", time=20,
@@ -229,7 +232,7 @@ def test_angular_momentum(tmp_path, figures):
 
 def block(folder, own, law, material="neoHookean", cells=(6, 6), speed=0.1,
           **control):
-    """A stiff block that slides into a soft one, which stands on a floor."""
+    """A stiff block slides into a soft block, which stands on a floor."""
     soft = Body(cells=cells, name="soft",
                 material=elastic(1, "neoHookean", 0.3),
                 sides={"top": "contact", "bottom": "contact"})
@@ -252,7 +255,7 @@ def block(folder, own, law, material="neoHookean", cells=(6, 6), speed=0.1,
 
 @pytest.mark.parametrize("ranks", (1, 2))
 def test_restart(tmp_path, figures, ranks):
-    """Bit by bit, with friction and plastic flow."""
+    """A restarted run is equal bit by bit, with friction and plastic flow."""
     case = block(tmp_path/"case", True, coulomb(0.3), "HenckyVonMises")
     (expected, _), (found, touched) = runAgain(
         case, ranks, lambda case, _: case.contact("blocks")["area"])
@@ -263,7 +266,7 @@ def test_restart(tmp_path, figures, ranks):
 
 
 def test_no_way_back(tmp_path, figures):
-    """A run that had steps of its own does not go on without."""
+    """A run with subCycling cannot continue without it."""
     case = bars(tmp_path/"case", True, 50, endTime=0.1)
     case.set("system/controlDict", {"subCycling": "no", "endTime": 0.2})
     code, output = case.attempt()
@@ -278,8 +281,8 @@ def test_no_way_back(tmp_path, figures):
 
 
 def test_bad_state(tmp_path, figures):
-    """A state that goes wrong within a common step ends the run; that at its
-    start is written, and goes on as one that was not stopped."""
+    """A bad state within a common step ends the run. The state at the start of
+    the step is written, and equals that of a run that ends there."""
     case = block(tmp_path/"case", True, coulomb(0.3), cells=(10, 10), maxCo=2.3)
     code, output = case.attempt()
     straight = block(tmp_path/"straight", True, coulomb(0.3), cells=(10, 10),
@@ -298,7 +301,7 @@ def test_bad_state(tmp_path, figures):
 
 
 def test_dry_run(tmp_path, figures):
-    """What they would save, and do."""
+    """The dry run tells how much subCycling would save, or saves."""
     said = {}
     for own in "no", "yes":
         case = bars(tmp_path/own, own == "yes", endTime=0.1)
@@ -328,8 +331,8 @@ def test_ranks(tmp_path, figures):
 
 
 def apart(own, one):
-    """Of the momentum at the end, by its change, of the largest strain energy
-    and of the energy at the end."""
+    """Relative differences of the final momentum (by its change), of the
+    largest strain energy and of the final energy."""
     end, end1 = (c.momentumOf("stiff")[-1] for c in (own, one))
     return (np.linalg.norm(end - end1)
             / np.linalg.norm(end1 - one.momentumOf("stiff")[0]),
@@ -340,7 +343,7 @@ def apart(own, one):
 
 def test_oblique_impact_as_with_one_step(tmp_path, figures):
     """An oblique impact with friction, in two dimensions, at a tenth of the
-    speed of waves. What is apart falls with the cells, and with the step of
+    wave speed. The difference falls with the cell size and with the step of
     the soft block."""
     differences = []
     for n in 10, 20, 40:
@@ -366,8 +369,8 @@ def test_oblique_impact_as_with_one_step(tmp_path, figures):
 
 
 def meanForce(case, time=1e-4):
-    """Largest mean of the force of the floor within a time: that of an instant
-    has the waves of the mesh in it."""
+    """Largest mean of the floor's force within a time. The force of an instant
+    contains waves of the mesh."""
     contact = case.contact("floor")
     t = np.append(0, contact["Time"])
     impulse = np.append(0, contact["bumper.bottom:Iy"])
@@ -378,11 +381,11 @@ def meanForce(case, time=1e-4):
 
 @pytest.mark.parametrize("joint", ("tied", "frictionless"))
 def test_box_on_bumper_as_with_one_step(tmp_path, figures, joint):
-    """A box that falls on its bumper: force, release, speed and energies are
-    those of one step within 1 %, and come closer to them with the mesh;
-    where the box slides on the bumper release and speed are as near as they
+    """A box falls on its bumper: force, release, speed and energies agree with
+    those of one step to 1 %, and the difference falls with the mesh. If the
+    box slides on the bumper, release and speed are already as close as they
     get with 8 elements. The force of an instant has waves of the mesh, of
-    which a common step sees few."""
+    which a common step misses most."""
     found = {}
     for n in 8, 16:
         one, own = (finished(boxOnBumper(
@@ -417,7 +420,7 @@ def test_box_on_bumper_as_with_one_step(tmp_path, figures, joint):
 
 @pytest.mark.parametrize("most", (4, 64))
 def test_balance_of_a_box_on_a_bumper(tmp_path, figures, most):
-    """The balance of the energy closes, with steps that change."""
+    """The energy balance closes with variable steps."""
     case = finished(boxOnBumper(tmp_path/"case", every=1, subCycling="yes",
                                 maxSubCycles=most))
     with figures(f"box on a bumper, {most} short steps at most") as f:
@@ -427,13 +430,14 @@ def test_balance_of_a_box_on_a_bumper(tmp_path, figures, most):
 
 
 def shortSteps(case):
-    """Steps of the stiff body in a common one, in the last message."""
+    """Number of steps of the stiff body in a common step, from the last
+    message."""
     return int(re.findall(r"now: .*\bstiff (\d+)", case.output)[-1])
 
 
 def test_scaled_mass(tmp_path, figures):
-    """massScaling with steps of their own is what a higher density is, to the
-    last bit; and what has the step of the others by it needs no short ones."""
+    """massScaling with subCycling equals a higher density to the last bit. A
+    body whose step is scaled to that of the others needs no short steps."""
     cases = {}
     for name, rho, control in (
             ("own", 1, {}), ("denser", 4, {}),

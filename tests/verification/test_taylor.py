@@ -23,9 +23,9 @@ def meshEdges(case):
 
 @pytest.mark.scenes(SCENE)
 def test_taylor_bar(run, figures):
-    """Length and radius at the end, and where the energy goes. The literature
-    has 21.4 to 21.5 mm and 6.9 to 7.2 mm, an independent code on a mesh like
-    this 21.81 and 6.41 mm."""
+    """Length and radius at the end, and the parts of the energy. The
+    literature has 21.4 to 21.5 mm and 6.9 to 7.2 mm; an independent code on a
+    similar mesh has 21.81 and 6.41 mm."""
     case = run(SCENE)
     E, E0 = case.energies, case.totalEnergy[0]
     total = case.totalEnergy

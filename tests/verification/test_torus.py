@@ -52,10 +52,11 @@ def test_first_contact_and_momentum(run, figures):
 
 @scenes(FULL, MEDIUM, COARSE)
 def test_stays_on_the_wall(run, figures):
-    """Mesh II with the default scheme, until 50 ms, when it is nearly folded,
-    beyond the paper's scenes and its scheme. With these data of the material
-    the torus does not leave the wall by then (README). Where it creases steps
-    get shorter, and what the leapfrog keeps of its energy becomes another."""
+    """Mesh II with the default scheme until 50 ms, when the torus is almost
+    folded. This goes beyond the scenes and the scheme of the paper. With these
+    material data the torus has not left the wall by then (README). Where it
+    creases, steps become shorter, and the energy that the leapfrog conserves
+    changes."""
     case = run(FULL)
     with figures("3.7 torus, Mesh II") as f:
         checkImpact(f, case, largestRise=1e-5)

@@ -1,5 +1,5 @@
-"""Impact of two bars in 1D, 2D and 3D against the exact solution: accuracy,
-energy, momentum, and what the dimensions cost."""
+"""Impact of two bars in 1D, 2D and 3D, compared with the exact solution:
+accuracy, energy, momentum, and the effect of the dimensions."""
 
 import re
 from dataclasses import replace
@@ -10,7 +10,7 @@ import pytest
 from vertexContactCases.exactSolution import TwoBarImpact
 from vertexContactTests.caseTools import Scene, relativeL1, timeFolders
 
-# Refinement of the default scheme, and other reconstructions
+# Refinement with the default scheme, and other reconstructions
 SIMILAR = Scene("similar")
 REFINED = tuple(Scene("similar", elements=n) for n in (128, 256, 512, 1024))
 LINEAR = Scene("similar", scheme=(("reconstruction", "linear"),))
@@ -28,12 +28,13 @@ NATIVE = tuple(
     for d, n in ((2, 3), (3, 2)))
 
 
-# Time after which the ends are on their plateau to 1 %: 20 cells' time [s]
+# Time until the ends are within 1 % of their plateau: the time for 20 cells
+# [s]
 SETTLED = 0.002
 
 
 def errors(case):
-    """Relative L1 errors in time, in per cent: of v and sigma at A and B."""
+    """Relative L1 errors in time, in per cent, of v and sigma at A and B."""
     exact = TwoBarImpact.fromCase(case.path)
     result = {}
     for name, bar, X in (("A", 0, exact.bars[0].end),
@@ -54,7 +55,7 @@ def loss(case):
 
 
 def release(case):
-    """The last time of a compressive force between the bars."""
+    """The last time with a compressive force between the bars."""
     contact = case.contact()
     return contact["Time"][contact["area"] > 0][-1]
 
@@ -82,7 +83,8 @@ def test_similar_bars_of_the_exact_solution(run, figures):
             u = u[(t > 0.1 + SETTLED) & (t < 0.299), 0]
             f.atMost(f"max v at {name} / 0.05, from {1000*SETTLED:g} ms after "
                      "the impact", u.max()/0.05, 1.01)
-        # A half cell meets the impact first: it overshoots for two cells' time
+        # A half cell has the impact first: it overshoots during the time for
+        # two cells
         t, u = case.probe("pointB", "pointU")
         f.atMost("max v at B / 0.05, before that",
                  u[t < 0.1 + SETTLED, 0].max()/0.05, 1.3)
@@ -118,7 +120,7 @@ def test_errors_fall_with_the_mesh(run, figures):
         for key in all_[0]:
             values = [e[key] for e in all_]
             f.falling(f"{key}, relative L1 error [%]", values)
-            # Of the shocks: 1 is the most that any scheme has
+            # For the shocks: 1 is the most that any scheme has
             f.atLeast(f"{key}, order of the L1 error",
                       np.log2(values[0]/values[-1])/(len(values) - 1), 0.65)
         f.falling("energy loss at the end [%]", [loss(c) for c in cases])

@@ -1,5 +1,5 @@
-"""The variational scheme: what it conserves, to round-off, what it dissipates,
-and how bodies come to rest on each other."""
+"""The variational scheme: its conservation to round-off, its dissipation, and
+bodies that come to rest on each other."""
 
 import numpy as np
 import pytest
@@ -17,7 +17,8 @@ from vertexContactTests.smallCases import (ELASTIC, FLOOR, RUBBER, SIDES, Body,
     ((4, 4, 4), ELASTIC)), ids=str)
 def test_momenta_to_round_off(tmp_path, figures, cells, material):
     """A free, distorted body with a rough motion: linear and angular momentum
-    to round-off, and an energy that only falls, by what is accounted for."""
+    are constant to round-off, and the energy only falls, by the dissipation in
+    the accounts."""
     n = len(cells)
     run = defaultCase(tmp_path, Body(cells, material=material,
                                      velocity=rough(n),
@@ -27,7 +28,7 @@ def test_momenta_to_round_off(tmp_path, figures, cells, material):
     with figures(f"variational, free {cells}, {material['type']}") as f:
         f.atMost("change of the momentum / (mass speed)",
                  largest(p - p[0])/0.1, 1e-14)
-        if material is not ELASTIC:         # rotations are not its own
+        if material is not ELASTIC:         # a small-strain law
             f.atMost("change of the angular momentum / (mass speed size)",
                      largest(L - L[0])/0.1, 1e-14)
         f.atMost("largest energy / initial - 1", E.max()/E[0] - 1, 1e-6)
@@ -36,8 +37,8 @@ def test_momenta_to_round_off(tmp_path, figures, cells, material):
 
 
 def test_energy_is_of_second_order(tmp_path, figures):
-    """The residual of the energy balance, with all dissipation accounted for,
-    falls with the square of the step."""
+    """The residual of the energy balance, with all dissipation included, falls
+    with the square of the step."""
     def residual(maxCo):
         def velocity(X):
             return 0.3*np.sin(np.pi*X[:, :1])*np.array((1.0, 0.5, 0))
@@ -51,12 +52,13 @@ def test_energy_is_of_second_order(tmp_path, figures):
         f.atMost("balance / initial energy at maxCo 0.2", fine, 1e-3)
 
 
-# Round-off of a displacement of 8,000 cells, times kappa/mu; nothing damps the
-# waves of pressure that it makes
+# Round-off of a displacement of 8,000 cells, times kappa/mu. Nothing damps the
+# pressure waves that it causes
 @pytest.mark.parametrize("material, limit", ((RUBBER, 1e-9), (STEEP, 2e-7)),
                          ids=("0.3", "0.4995"))
 def test_superposed_velocity(tmp_path, figures, material, limit):
-    """A thousand metres per second more change nothing."""
+    """An additional velocity of a thousand metres per second changes
+    nothing."""
     def sigma(speed):
         def velocity(X):
             return rough(2)(X) + np.array((speed, 0, 0))
@@ -72,8 +74,9 @@ def test_superposed_velocity(tmp_path, figures, material, limit):
 
 
 def test_rotated_and_mirrored(tmp_path, figures):
-    """A body turned by 90 degrees, or its mirror image, does the same: the
-    diagonals and the bound of the step have no direction."""
+    """A body rotated by 90 degrees, or its mirror image, moves in the same
+    way: the diagonals and the bound of the step have no preferred
+    direction."""
     def velocity(X, turn):
         x, y = X[:, 0] - 0.5, X[:, 1] - 0.5
         if turn == "rotated":
@@ -102,7 +105,7 @@ def test_rotated_and_mirrored(tmp_path, figures):
 
 
 def test_long_rotation(tmp_path, figures):
-    """Forty turns of a free block gain nothing."""
+    """A free block gains no energy in forty turns."""
     with figures("variational, forty turns") as f:
         for cells in ((3, 3, 3), (6, 6)):
             run = defaultCase(tmp_path/str(len(cells)), Body(
@@ -116,8 +119,8 @@ def test_long_rotation(tmp_path, figures):
 
 
 def test_loaded_for_a_while(tmp_path, figures):
-    """A traction that comes and goes leaves no strain once the waves have
-    died: F is the gradient of the displacement, to round-off."""
+    """A temporary traction leaves no strain when the waves have died out: F is
+    the gradient of the displacement, to round-off."""
     pull = condition("traction", traction=table(
         (0, (0, 0, 0)), (1, (0.05, 0, 0)), (2, (0, 0, 0)), (1e6, (0, 0, 0))))
     body = Body((3, 3), sides={"right": pull, "left": condition(
@@ -129,9 +132,9 @@ def test_loaded_for_a_while(tmp_path, figures):
 
 
 def enclosed(x):
-    """Volume inside the surface of a block with nodes x[k, j, i], of
-    quadrilaterals that both diagonals split by half; of one layer, x[j, i],
-    area inside its outline."""
+    """Volume within the surface of a block with nodes x[k, j, i], whose
+    quadrilaterals are split by both diagonals, with half of the weight each.
+    For one layer x[j, i] it is the area within the outline."""
     def inside(*corners):
         return np.linalg.det(np.stack(corners, axis=-2)).sum()
 
@@ -166,9 +169,9 @@ TETRAHEDRA = """
     ((3, 3), False), ((3, 3, 3), False), ((3, 3, 3), True),
     ("tetrahedra", False)), ids=str)
 def test_pressure_around_a_spinning_body(tmp_path, figures, cells, single):
-    """A pressure on all of a coarse body, with warped sides, that spins and
-    rings: it has neither resultant nor moment, to round-off, and its work is
-    that of the volume inside the deformed faces."""
+    """A pressure on the whole surface of a coarse body with warped sides,
+    which spins and vibrates: resultant and moment vanish to round-off, and the
+    work is that of the volume within the deformed faces."""
     p, T = 0.2, 20
     load = condition("pressure", pressure=p)
     tetrahedra = cells == "tetrahedra"
@@ -185,7 +188,7 @@ def test_pressure_around_a_spinning_body(tmp_path, figures, cells, single):
         body = GmshBody(geometry=TETRAHEDRA, sides={"all": load}, **more)
     else:
         body = Body(cells, sides=dict.fromkeys(list(SIDES)[:2*n], load), **more)
-    # The works of the leapfrog are of second order at the ends of a run
+    # The works of the leapfrog have second order at the ends of a run
     run = defaultCase(tmp_path, body, T, {"maxCo": 0.1}).run()
     P, L = run.momentumOf(), run.angularMomentumOf()
     split = "one split" if single else "both splits"
@@ -209,8 +212,8 @@ def test_pressure_around_a_spinning_body(tmp_path, figures, cells, single):
 
 
 def test_work_of_a_moving_clamp(tmp_path, figures):
-    """A clamp that bends a beam and then holds it: its work is the energy of
-    the beam, of which no more than what swings on the mesh is lost."""
+    """A clamp bends a beam and then holds it. Its work equals the energy of
+    the beam, except for the energy that oscillates on the mesh."""
     bend = table((0, (0, 0, 0)), (15, (0, 0.007, 0)), (30, (0, 0, 0)),
                  (1e6, (0, 0, 0)))
     body = Body((20, 8), size=(1, 0.4, 1), sides={
@@ -230,9 +233,9 @@ def test_work_of_a_moving_clamp(tmp_path, figures):
 
 @pytest.mark.parametrize("cells", ((6,), (6, 6), (4, 4, 4)), ids=str)
 def test_kept_energy_of_linear_bodies(tmp_path, figures, cells):
-    """With the default step, near the stable one: what the leapfrog keeps is
-    the energy less the swing, so that the balance is round-off where forces are
-    linear, though energies of instants swing."""
+    """With the default step, close to the stable one: the leapfrog conserves
+    the energy minus the swing. So the balance is round-off for linear forces,
+    although the energies at single instants oscillate."""
     n = len(cells)
     run = defaultCase(tmp_path, Body(cells, material=ELASTIC,
                                      velocity=rough(n)), 20, every=1).run()
@@ -252,10 +255,11 @@ def test_kept_energy_of_linear_bodies(tmp_path, figures, cells):
     ("body", coulomb(0.5), (2, 2, 2), 2, 0.005)))
 def test_comes_to_rest_and_stays(tmp_path, figures, on, law, counts, ratio,
                                  weight):
-    """A block on a plane or on a deformable base, whatever its mesh, comes to
-    rest, stays there, and gains nothing."""
+    """A block on a plane or on a deformable base, with any mesh, comes to
+    rest, stays at rest, and gains no energy."""
     tied = law["type"] == "tied"
-    # Without friction it would slide off the hollow that it makes: by halves
+    # Without friction it would slide off the hollow that it makes. So the
+    # model is a half
     middle = {"left": "symmetryPlane"} if law == coulomb(0) else {}
     block = Body(counts, name="block", sides={**middle, "bottom": "contact"})
     base = Body((round(ratio*counts[0]) or 1, *counts[1:]), name="base",
@@ -268,7 +272,7 @@ def test_comes_to_rest_and_stays(tmp_path, figures, on, law, counts, ratio,
         touch, more = interface(("block", "bottom"), ("base", "top"), law,
                                 pairing="AMI" if tied else "nearestFace"), [
                                     base]
-    # Nothing but the dissipation of smooth waves brings it to rest
+    # Only the dissipation of smooth waves brings it to rest
     time = (60000.0 if law == coulomb(0) else
             20000.0 if weight > 0.01 else 6000.0)
     run = defaultCase(tmp_path, [block, *more], time, {"writeInterval": time/4},
@@ -292,13 +296,13 @@ def test_comes_to_rest_and_stays(tmp_path, figures, on, law, counts, ratio,
 @pytest.mark.parametrize("speed", (0.5, 1.0, 1.2))
 @pytest.mark.parametrize("dimensions", (1, 2))
 def test_strong_shocks(tmp_path, figures, dimensions, speed, against):
-    """A bar hits its mirror image, a wall, or an equal bar, as fast as the
-    waves and faster, with the default settings: behind the shock no
-    saw-tooth."""
+    """A bar hits its mirror image, a wall, or an equal bar, at the wave speed
+    and faster, with the default settings. There is no saw-tooth behind the
+    shock."""
     cells = (200,) if dimensions == 1 else (80, 10)
     run = barAgainst(tmp_path, against, cells, speed)
     E = run.totalEnergy
-    # In its first three steps the front is as long as they are
+    # In the first three steps the front has the length of the steps
     start = 1e-4 if (dimensions, speed, against) == (2, 0.5, "mirror") else 1e-6
     with figures(f"variational, {dimensions}D, {speed} c_p against {against}"
                  ) as f:
@@ -308,7 +312,7 @@ def test_strong_shocks(tmp_path, figures, dimensions, speed, against):
 
 @pytest.mark.parametrize("cells, limit", ((16, 0.94), (64, 0.97)))
 def test_cradle(tmp_path, figures, cells, limit):
-    """Five equal bars in a row: the last one takes the velocity of the
+    """Five equal bars in a row: the last bar takes over the velocity of the
     first."""
     bodies, interfaces = [], {}
     for i in range(5):

@@ -1,5 +1,5 @@
-"""Scenes that a new user tries, with the default settings: long rests, long
-rotations, impacts of elastic bodies, strong shocks in three dimensions, and
+"""Scenes that a new user tries, with the default settings: long rest, long
+rotation, impacts of elastic bodies, strong shocks in three dimensions, and
 bodies that are loaded, struck or bent and then left alone."""
 
 import numpy as np
@@ -25,8 +25,8 @@ def at(run, time, what):
 # Rest
 
 def pressed(folder, on, weight, time, control, law=coulomb(0.5)):
-    """A block that is pressed on a rigid plane, or on a base of three times
-    finer mesh."""
+    """A block that is pressed on a rigid plane, or on a base with a three
+    times finer mesh."""
     block = Body((2, 2), name="block", sides={
         "bottom": "contact",
         "top": condition("traction", traction=(0, -weight, 0))})
@@ -39,20 +39,21 @@ def pressed(folder, on, weight, time, control, law=coulomb(0.5)):
         bodies, touch = [block, base], interface(
             ("block", "bottom"), ("base", "top"), law,
             pairing="nearestFace")
-    # Surfaces are paired anew at each write, and rest a little elsewhere
+    # Surfaces are paired again at each written time; the rest position then
+    # changes slightly
     return defaultCase(folder, bodies, time,
                        {"writeInterval": time/8, **control}, every=50,
                        interfaces={"contact": touch}).run()
 
 
-# Stable steps, times 0.9
+# The stable step, times 0.9
 STEPS = {"plane": 0.17, "body": 0.065}
 
 
 @pytest.mark.parametrize("weight", (0.005, 0.05))
 @pytest.mark.parametrize("on", STEPS)
 def test_long_rest(tmp_path, figures, on, weight):
-    """It comes to rest, and stays where it is."""
+    """The block comes to rest and stays there."""
     run = pressed(tmp_path, on, weight, 150000*STEPS[on], {
         "adjustTimeStep": "no", "deltaT": STEPS[on]})
     D = [run.at("pointD", t, "block") for t in run.times]
@@ -69,8 +70,8 @@ def test_long_rest(tmp_path, figures, on, weight):
                                     "presses on several faces, and the rule "
                                     "holds for their mean"))))
 def test_rest_has_no_step(tmp_path, figures, on):
-    """Where it rests does not depend on the length of the steps. On a plane
-    without friction, with which it depends on how it came there."""
+    """The rest position does not depend on the step length. On a plane with
+    friction it would depend on the path, so the plane has none."""
     D = [pressed(tmp_path/f"{maxCo}", on, 0.05, 4000, {"maxCo": maxCo},
                  coulomb(0 if on == "plane" else 0.5)).at(
                      "pointD", region="block") for maxCo in (0.9, 0.45)]
@@ -82,10 +83,10 @@ def test_rest_has_no_step(tmp_path, figures, on):
                          ids=("tied", "0", "0.5"))
 @pytest.mark.parametrize("weight", (0.005, 0.05))
 def test_rest_3d(tmp_path, figures, law, weight):
-    """A block on a base of four times finer mesh, in three dimensions, comes
-    to rest: its kinetic energy falls and falls. Without friction not for ever:
-    it slides off the base, which is softer towards its edges, the sooner the
-    heavier it is."""
+    """A block on a base with a four times finer mesh comes to rest in three
+    dimensions: its kinetic energy falls continuously. Without friction the
+    block does not rest for ever: it slides off the base, which is softer
+    towards its edges, and earlier if it is heavier."""
     tied = law["type"] == "tied"
     block = Body((2, 2, 2), name="block", sides={"bottom": "contact"})
     base = Body((10, 4, 10), name="base", start=(-0.125, -0.5, -0.125),
@@ -117,7 +118,7 @@ def test_rest_3d(tmp_path, figures, law, weight):
 # Rotation
 
 def test_forty_turns(tmp_path, figures):
-    """Forty turns of a free block of 5^3 cells gain nothing."""
+    """A free block of 5^3 cells gains no energy in forty turns."""
     run = defaultCase(tmp_path, Body(
         (5, 5, 5), velocity=lambda X: 0.2*np.cross((0, 0, 1), X - 0.5)),
         80*np.pi/0.2, every=100).run()
@@ -148,8 +149,8 @@ def test_momenta_for_long(tmp_path, figures):
 
 
 def test_rough_turns(tmp_path, figures):
-    """Twenty turns of a free block that was not only made to rotate: once its
-    waves have died it goes on as a rigid one."""
+    """Twenty turns of a free block whose initial velocity is not only a
+    rotation. When the waves have died out, it rotates like a rigid body."""
     run = defaultCase(tmp_path, Body((3, 3, 3), velocity=rough(3, noise=0.01)),
                       40*np.pi/0.1, every=100).run()
     E = run.totalEnergy
@@ -175,8 +176,8 @@ def test_checkerboard(tmp_path, figures, cells):
 
 
 def test_metal_that_does_not_flow(tmp_path, figures):
-    """Perfectly plastic, and loaded on one side by a hundredth of what it
-    bears: it is as stiff as rubber of the same moduli, and comes to rest."""
+    """A perfectly plastic block is loaded on one side by a hundredth of its
+    limit. It is as stiff as rubber with the same moduli, and comes to rest."""
     runs = {}
     for law, more in (("neoHookean", {}),
                       ("HenckyVonMises", {"tauY": 1.0, "Hardening": 0})):
@@ -195,8 +196,9 @@ def test_metal_that_does_not_flow(tmp_path, figures):
 
 @pytest.mark.parametrize("cells", ((8, 6), (5, 4, 3)), ids=str)
 def test_metal_that_is_bent_to_and_fro(tmp_path, figures, cells):
-    """Flow one way and back, of one side against the other: its work never
-    falls, nor what the scheme takes, and energies balance, on ranks as well."""
+    """Metal flows one way and back, one side against the other. The plastic
+    work and the dissipation of the scheme never fall, and energies balance,
+    also on several ranks."""
     def bent(folder, name):
         body = Body(cells, material={
             "type": "HenckyVonMises", "rho": 1, "E": 1, "nu": 0.3,
@@ -229,7 +231,8 @@ def test_metal_that_is_bent_to_and_fro(tmp_path, figures, cells):
 # Impacts of elastic bodies
 
 def ball(centre, size):
-    """A quarter of a ball of radius 1, with edges of a size at the poles."""
+    """A quarter of a ball of radius 1; size is the edge length at the
+    poles."""
     return f"""
         c = {centre};
         Point(1) = {{c, 0, 0}};
@@ -268,14 +271,15 @@ def ball(centre, size):
         """
 
 
-# Last ball of a chain of Hertz contacts with these gaps: 0.991
-HERTZ_RADIUS = 0.155        # of the largest contact, two balls
+# Speed of the last ball of a chain of Hertz contacts with these gaps: 0.991
+HERTZ_RADIUS = 0.155        # of the largest contact of two balls
 
 
 @pytest.mark.parametrize("perRadius", (1, 2))
 def test_ball_cradle(tmp_path, figures, perRadius):
     """Newton's cradle of five balls, with one or two elements over the radius
-    of the largest contact: the last ball takes the velocity of the first."""
+    of the largest contact: the last ball takes over the velocity of the
+    first."""
     v, gap, bodies, interfaces = 0.01, 1e-3, [], {}
     for i in range(5):
         bodies.append(GmshBody(
@@ -305,8 +309,8 @@ def test_ball_cradle(tmp_path, figures, perRadius):
         strict=True, reason="0.08, with 16 elements 0.05: fronts of pressure "
         "that go to and fro in the rubber"))))
 def test_bumper_loses_little(tmp_path, figures, joint, nu):
-    """An aluminium box with a rubber bumper falls on a rigid plane at 3 m/s:
-    of its energy little is lost until it has left the plane again."""
+    """An aluminium box with a rubber bumper falls on a rigid plane at 3 m/s.
+    It loses little energy until it has left the plane again."""
     run = boxOnBumper(tmp_path, joint, nu).run()
     E, release = run.totalEnergy, released(run)
     with figures(f"scenes, bumper, {joint}, {nu}") as f:
@@ -327,7 +331,7 @@ RINGS_I, RINGS_II = (Tutorial("ringCollision", mesh, preset="balanced")
 
 @scenes(RINGS_I)
 def test_rings_keep_their_energy(run, figures):
-    """Two rings keep their energy through a long collision."""
+    """Two rings conserve their energy in a long collision."""
     E = run(RINGS_I).totalEnergy
     with figures("scenes, rings I") as f:
         f.atLeast("energy at 40 ms / initial", E[-1]/E[0], 0.96)
@@ -359,8 +363,8 @@ BOX = """
 
 def test_box_after_a_pull(tmp_path, figures):
     """A free linear-elastic box of tetrahedra, after a half-sine traction on
-    one side: it gains no energy when the load is gone, F is the gradient of
-    the displacement, and when the waves have died no strain is left."""
+    one side. It gains no energy when the load is gone, F is the gradient of
+    the displacement, and no strain is left when the waves have died out."""
     pull = [(t, (0.01*np.sin(np.pi*t), 0, 0)) for t in np.linspace(0, 1, 21)]
     material = {**ELASTIC, "nu": 0.3}
 
@@ -396,7 +400,7 @@ def turned(angle):
 
 
 def spin(run):
-    """Angular velocity about z of a body that rotates as a rigid one."""
+    """Angular velocity about z of a body that rotates like a rigid body."""
     x, v = run.X() + run.at("pointD"), run.at("pointU")
     x, v = x - x.mean(axis=0), v - v.mean(axis=0)
     return (np.sum(x[:, 0]*v[:, 1] - x[:, 1]*v[:, 0])
@@ -408,9 +412,9 @@ def spin(run):
     ((4, 4, 4), "corner"),
     ((6, 6), "on its own corner")), ids=str)
 def test_block_off_a_corner(tmp_path, figures, cells, hits):
-    """A block that has bounced off the corner of an obstacle, or on its own
-    corner, has no stress and no dent when its waves have died, but those of
-    its rotation: sigmaEq is that of a block which was only made to rotate."""
+    """A block has bounced off the corner of an obstacle, or on its own corner.
+    When the waves have died out, it has no dent and no stress except that of
+    its rotation: sigmaEq is that of a block with only an initial rotation."""
     falls = hits == "corner"
     obstacle = {"type": "box", "min": (-5, -1, -1), "max": (0.3, 0, 2)
                 } if falls else FLOOR
@@ -430,7 +434,7 @@ def test_block_off_a_corner(tmp_path, figures, cells, hits):
     def rotating(w):
         return defaultCase(tmp_path/f"{w}", block(velocity=lambda X: w*np.cross(
             (0, 0, 1), X - X.mean(axis=0))), time, every=100).run()
-    # The rate that is left, once the block has become wider by it
+    # The remaining rate, after the rotation has widened the block
     free = rotating(omega*omega/spin(rotating(omega)))
     left = run.at("sigmaEq") - free.at("sigmaEq")
 
@@ -451,8 +455,8 @@ def test_block_off_a_corner(tmp_path, figures, cells, hits):
 
 
 def test_hook_snaps_back_without_stress(tmp_path, figures):
-    """A hook that is moved over a bump bends, snaps back, and keeps no stress
-    when its vibrations have died."""
+    """A hook that is moved over a bump bends, snaps back, and has no stress
+    when its vibrations have died out."""
     bump = {"type": "cylinder", "point1": (1.13, -0.25, -1),
             "point2": (1.13, -0.25, 2), "radius": 0.2}
     down, stop = (0, -0.02, 0), (0, 0, 0)
@@ -484,12 +488,13 @@ def test_hook_snaps_back_without_stress(tmp_path, figures):
 @pytest.mark.parametrize("speed", (0.5, 1.0))
 def test_shocks_3d(tmp_path, figures, speed, against):
     """A bar of four cells across hits its mirror image, a wall, or an equal
-    bar: behind the shock no saw-tooth, at its edge and in its middle."""
+    bar. There is no saw-tooth behind the shock, at its edge and in its
+    middle."""
     run = barAgainst(tmp_path, against, (80, 4, 4), speed)
     E = run.totalEnergy
     with figures(f"scenes, 3D, {speed} c_p against {against}") as f:
         for y in 0, 2/80:
             checkShock(f, run, speed, y)
-        # In its first three steps the front is as long as they are
+        # In the first three steps the front has the length of the steps
         f.atMost("largest energy / initial - 1", E.max()/E[0] - 1,
                  1e-4 if (speed, against) == (0.5, "mirror") else 1e-6)

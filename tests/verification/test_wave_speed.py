@@ -1,5 +1,5 @@
-"""Shocks in a neo-Hookean bar that hits a rigid wall, against the exact jump
-conditions, with the wave speeds of the undeformed and of the stretched
+"""Shocks in a neo-Hookean bar that hits a rigid wall, compared with the exact
+jump conditions, with the wave speeds of the undeformed and of the stretched
 material."""
 
 import numpy as np
@@ -32,8 +32,8 @@ def shock(speed):
 
 
 def errors(folder, mach, waves):
-    """Relative error of the mean stress behind the shock, steps, rise of the
-    energy."""
+    """Relative error of the mean stress behind the shock, number of steps,
+    rise of the energy."""
     stretch, U = shock(mach*CP)
     end = 0.8/U
     case = SmallCase(folder, Body(

@@ -1,1 +1,1 @@
-"""What tests and benchmarks share. etc/bashrc puts it on PYTHONPATH."""
+"""Code that tests and benchmarks share. etc/bashrc puts it on PYTHONPATH."""

@@ -17,17 +17,17 @@ from foamlib import FoamFile
 from vertexContactCases import readResults
 
 root = Path(__file__).resolve().parents[2]
-timeLimit = 1200    # of one program, in seconds
+timeLimit = 1200    # time limit of a program, in seconds
 
-# The preset that users get, and that of cases of tests that say nothing: the
-# figures that they assert are those of the paper's scheme
+# The preset that users get, and the preset of test cases that choose none:
+# their asserted figures are those of the paper's scheme
 DEFAULT = "balanced"
 PRESET = "paper"
 
 
 def execute(command, folder, **environment):
-    """Run a program; never raises for its exit code. Standard output and
-    error come together in .stdout."""
+    """Run a program; never raises for its exit code. .stdout has standard
+    output and error together."""
     return subprocess.run(
         command, cwd=folder,
         env={**os.environ, "PWD": str(folder), **environment},
@@ -46,14 +46,14 @@ def checked(command, folder, **environment):
 
 
 def solver(ranks=1):
-    """The command that runs a case, which has been decomposed for ranks."""
+    """The command that runs a case, which is decomposed if ranks > 1."""
     program = ["vertexContactFoam"]
     return program if ranks == 1 else [
         "mpirun", "-np", str(ranks), *program, "-parallel"]
 
 
 def rankFolders(ranks=1):
-    """Folders of a case that have its times."""
+    """Folders of a case that contain its times."""
     return ["."] if ranks == 1 else [f"processor{i}" for i in range(ranks)]
 
 
@@ -82,29 +82,30 @@ def coarse(tutorial):
 
 
 def timeFolders(folder):
-    """Names of the time folders, in order of time."""
+    """Names of the time folders, sorted by time."""
     names = [entry.name for entry in Path(folder).iterdir()
              if re.fullmatch(r"[0-9.]+(e[-+]?[0-9]+)?", entry.name)]
     return sorted(names, key=float)
 
 
 def contents(folder):
-    """Bytes of all files of a folder."""
+    """Contents of all files in a folder, as bytes."""
     return {file.relative_to(folder): file.read_bytes()
             for file in Path(folder).rglob("*") if file.is_file()}
 
 
 def differingFiles(expected, found):
-    """Names of files that differ in pairs of contents(), one a rank. With
-    several, sums over them that each continues on its own do not count: one
-    continues from the sum of all, which is equal to round-off."""
+    """Names of files that differ in pairs of contents(), one pair per rank.
+    With several ranks, sums over the ranks are not compared if the straight
+    run keeps one per rank: the restarted run continues from the total, which
+    is equal to round-off."""
     names = {str(file) for a, b in zip(expected, found)
              for file in a.keys() | b.keys() if a.get(file) != b.get(file)}
     return sorted(names - ({"uniform/solidSystem"} if len(found) > 1 else set()))
 
 
 class Case:
-    """A case folder, with its results."""
+    """A case folder with its results."""
 
     def __init__(self, path):
         self.path = Path(path)
@@ -113,8 +114,8 @@ class Case:
         return self.path/name
 
     def set(self, file, entries):
-        """Change entries of a dictionary, or take those away that are None;
-        keys of sub-dictionaries with slashes, as in 'vertexCentred/cells'."""
+        """Change entries of a dictionary, or remove them if the value is None.
+        Keys of sub-dictionaries have slashes, as in 'vertexCentred/cells'."""
         dictionary = FoamFile(self.path/file)
         with dictionary:
             for key, value in entries.items():
@@ -125,7 +126,7 @@ class Case:
                     dictionary[place] = value
 
     def replace(self, file, pattern, by):
-        """Replace a regular expression, which must be there."""
+        """Replace a regular expression, which must match."""
         text = (self.path/file).read_text()
         text, count = re.subn(pattern, by, text)
         if count == 0:
@@ -144,7 +145,7 @@ class Case:
 
     @property
     def times(self):
-        """Names of the times written, without the initial one."""
+        """Names of the written times, without the initial time."""
         return timeFolders(self.path)[1:]
 
     @cached_property
@@ -156,11 +157,11 @@ class Case:
         return readResults.table(self.path, "solidEnergies", "momentum.dat")
 
     def momentumOf(self, owner="total"):
-        """Linear momentum of a region, or of all, in time, one row an instant."""
+        """Linear momentum of a region, or of all, with a row per time."""
         return np.array([self.momentum[f"{owner}:p{c}"] for c in "xyz"]).T
 
     def angularMomentumOf(self, owner="total"):
-        """The same, about the origin."""
+        """Angular momentum about the origin, in the same way."""
         return np.array([self.momentum[f"{owner}:L{c}"] for c in "xyz"]).T
 
     def contact(self, interface="bars"):
@@ -176,18 +177,18 @@ class Case:
 
     @property
     def keptEnergy(self):
-        """Total energy less what comes and goes with the step."""
+        """Total energy minus the part that oscillates with the step."""
         return self.totalEnergy - self.energies["total:swing"]
 
     @property
     def ownEnergy(self):
-        """Kept energy less the works of loads and of contact: only what is
-        dissipated inside the bodies changes it."""
+        """Kept energy minus the works of loads and of contact: only
+        dissipation within the bodies changes it."""
         return (self.keptEnergy - self.energies["total:externalWork"]
                 - self.energies["total:contactWork"])
 
     def field(self, time, region, name):
-        """Values of a point field, one row a point."""
+        """Values of a point field, with a row per point."""
         file = FoamFile(self.path/time/region/name)
         nPoints = len(self.points(region))
         values = np.asarray(file["internalField"], dtype=float)
@@ -205,7 +206,7 @@ class Case:
         checked(["decomposePar", "-allRegions"], self.path)
 
     def runParallel(self, ranks, method="metis"):
-        """Decompose, run, and put together again."""
+        """Decompose, run, and reconstruct the case."""
         self.decompose(ranks, method)
         checked(solver(ranks), self.path)
         checked(["reconstructPar", "-allRegions", "-newTimes"], self.path)
@@ -218,7 +219,7 @@ class Case:
 
 @dataclass(frozen=True)
 class Scene:
-    """A two-bar run: a tutorial and what is different from it."""
+    """A two-bar run: a tutorial and its changes."""
 
     tutorial: str = "similar"
     elements: int = 1024
@@ -230,7 +231,8 @@ class Scene:
     preset: str = PRESET
 
     def prepare(self, folder):
-        """The case folder, not yet run; of the preset of its controlDict."""
+        """The case folder before the run, with the preset of its
+        controlDict."""
         tutorials = copyTutorials(folder/"tutorials")
         case = Case(tutorials/"twoBarImpact"/self.tutorial)
         for bar in "bar1", "bar2":
@@ -266,12 +268,12 @@ class Scene:
 
 @dataclass(frozen=True)
 class Tutorial:
-    """A tutorial as a user runs it, and what is different from it."""
+    """A tutorial as a user runs it, and its changes."""
 
     path: str
     mesh: str = "I"
     scheme: tuple = ()          # ((keyword, value), ...) of vertexCentred
-    material: tuple = ()        # of mechanicalProperties, dictionaries alike
+    material: tuple = ()        # of all mechanicalProperties
     control: tuple = ()         # of controlDict
     options: tuple = ()         # ((variable, value), ...) of its Allrun
     ranks: int = 1
@@ -293,7 +295,7 @@ class Tutorial:
 
 
 class Runs:
-    """Runs scenes in the background, each once, also if several processes use
+    """Runs scenes in the background, each once, even if several processes use
     the same folder."""
 
     def __init__(self, folder, nThreads=len(os.sched_getaffinity(0))):
@@ -331,9 +333,10 @@ class Runs:
 
 
 def runAgain(case, ranks=1, look=lambda case, output: None):
-    """Run a case, take away what it wrote after the middle one of its times,
-    and run it from there. Of each run: what it has in its last time, by rank,
-    and what a function makes of the case and of the output."""
+    """Run a case, remove everything that it wrote after the middle one of its
+    times, and run it again from there. Returns for each run the contents of
+    its last time, by rank, and the result of a function of the case and the
+    output."""
     if ranks > 1:
         case.decompose(ranks)
     folders = rankFolders(ranks)
@@ -352,24 +355,24 @@ def runAgain(case, ranks=1, look=lambda case, output: None):
 
 
 def meansAround(x, values, places, way):
-    """Means of values, along the last axis, where x is within a way of each of
-    the places."""
+    """Means of values along the last axis, where x is within a distance of
+    each of the places."""
     return np.stack([values[..., np.abs(x - place) < way].mean(axis=-1)
                      for place in places], axis=-1)
 
 
 def rise(energy, scale=None):
-    """Largest rise above any earlier value, over the initial one or a
-    scale."""
+    """Largest rise above any earlier value, relative to the initial value or
+    to a scale."""
     return float(np.max(energy - np.minimum.accumulate(energy))
                  / (energy[0] if scale is None else scale))
 
 
 def checkEnergies(f, case, interface=None, *, balance, total=None, own=None,
                   penetration=None):
-    """What contact keeps of the energy, each with its limit: the residual of
-    its balance, rises of the total one and of that less all works, and how far
-    faces get into each other."""
+    """Check how contact conserves energy, with limits for the residual of its
+    balance, for rises of the total energy and of this energy minus all works,
+    and for the penetration of faces."""
     initial = case.totalEnergy[0]
     if total is not None:
         f.atMost("largest rise of the total energy / initial",
@@ -386,14 +389,14 @@ def checkEnergies(f, case, interface=None, *, balance, total=None, own=None,
 
 
 def relativeL1(times, values, exact):
-    """Integral of |values - exact| over that of |exact|, in time."""
+    """Integral of |values - exact| over the integral of |exact|, in time."""
     times = np.asarray(times)
     return (np.trapezoid(np.abs(values - exact), times)
             / np.trapezoid(np.abs(exact), times))
 
 
 def checkerboard(p, edges):
-    """|p - mean over the neighbours| / |p - mean over all|, of nodal values
+    """|p - mean over the neighbours| / |p - mean over all|, from nodal values
     and pairs of neighbours."""
     total, count = np.zeros_like(p), np.zeros_like(p)
     for here, there in ((0, 1), (1, 0)):

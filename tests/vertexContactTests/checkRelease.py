@@ -65,8 +65,8 @@ def compareScene(ours, theirs):
 
 
 def verdict(energy, field):
-    """A line on both differences; an error where one is too large, or no
-    number."""
+    """Print a line with both differences. It is an error if one is too large,
+    or no number."""
     text = f"energies {energy:.1e}, fields {field:.1e}"
     if not (energy <= LIMIT and field <= LIMIT):
         raise Failed(f"{text}: more than {LIMIT:g}")
@@ -74,7 +74,7 @@ def verdict(energy, field):
 
 
 def row(release, cells, equal, note):
-    """Of the table in tutorials/reference/releases.md."""
+    """A row of the table in tutorials/reference/releases.md."""
     return f"| {release} | " + " | ".join(
         [*(cells.get(column, "not run") for column in COLUMNS), equal,
          note]) + " |"
@@ -83,7 +83,7 @@ def row(release, cells, equal, note):
 # Checks
 
 class Checks:
-    """Run checks, print a line of each, and keep those that failed."""
+    """Run checks, print a line for each, and keep the failed ones."""
 
     def __init__(self):
         self.failed = []
@@ -115,8 +115,8 @@ def output(command, folder, **environment):
 
 
 def linked():
-    """The programs and the library find all they need, and OpenFOAM's in the
-    release that they are to run with."""
+    """The programs and the library find all their libraries, and OpenFOAM's
+    libraries in the right release."""
     release = Path(os.environ["FOAM_LIBBIN"]).resolve()
     here = Path(os.environ["FOAM_USER_LIBBIN"]).resolve()
     products = [here/"libvertexContact.so",
@@ -153,7 +153,7 @@ def unitTests(ranks):
 
 
 def suite(folder, files):
-    """Tests of the project, as they are; none may be left out."""
+    """Run tests of the project unchanged; none may be skipped."""
     report = folder/"report.xml"
     done = subprocess.run(
         [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider",
@@ -161,7 +161,7 @@ def suite(folder, files):
         cwd=root, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT, text=True)
     if not report.exists():
-        raise Failed(f"pytest died: {done.stdout[-400:]}")
+        raise Failed(f"pytest ended without a report: {done.stdout[-400:]}")
     cases = list(ElementTree.parse(report).iter("testcase"))
     bad = [case.get("name") for case in cases for kind in
            ("failure", "error", "skipped") if case.find(kind) is not None]
@@ -175,7 +175,7 @@ def suite(folder, files):
 
 
 def results(case):
-    """Energies in time, and norms of fields at the end."""
+    """Energies by time, and norms of fields at the end."""
     from vertexContactTests.fieldReferences import norms
     return {"energies": {key: values.tolist()
                          for key, values in case.energies.items()
@@ -184,7 +184,7 @@ def results(case):
 
 
 def tools(case):
-    """OpenFOAM's tools on a finished case of ours."""
+    """OpenFOAM's tools work on a finished case of ours."""
     import pyvista
     region = case.regions[0]
     value = output(["foamDictionary", "-entry", "endTime", "-value",

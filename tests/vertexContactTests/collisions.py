@@ -1,5 +1,5 @@
-"""Small collisions of every kind of contact and material, in three dimensions:
-what a restart and a decomposition have to reproduce."""
+"""Small collisions with every kind of contact and material, in three
+dimensions, for tests of restart and decomposition."""
 
 from vertexContactTests.caseTools import PRESET
 from vertexContactTests.smallCases import (RUBBER, Body, SmallCase, coulomb,
@@ -12,8 +12,8 @@ END = 1.2
 
 
 def blocks(pairing, cells, law="frictionless", material=RUBBER):
-    """Two blocks, one shifted against the other where meshes need not match,
-    that slide along each other as they meet."""
+    """Two blocks slide along each other as they collide. One is shifted, if
+    the meshes need not match."""
     shift = 0 if pairing == "matching" else 0.3
     below = Body(cells=(4, 4, 4), name="below", material=material,
                  velocity=(0.02, 0.05, 0), sides={"top": "contact"})
@@ -25,7 +25,7 @@ def blocks(pairing, cells, law="frictionless", material=RUBBER):
 
 
 def onSphere(material=RUBBER, **motion):
-    """A block that falls on a rigid sphere."""
+    """A block falls on a rigid sphere."""
     block = Body(cells=(5, 5, 5), name="block", start=(0, 0.01, 0),
                  material=material, velocity=(0, -0.1, 0),
                  sides={"bottom": "contact"})
@@ -50,7 +50,7 @@ SCENES = {
 
 
 def collision(folder, name, endTime=END, preset=PRESET):
-    """The case of a scene, which writes INTERVALS times; not yet run."""
+    """The case of a scene with INTERVALS written times; not run yet."""
     bodies, interfaces = SCENES[name]()
     return SmallCase(folder, bodies, endTime, interfaces=interfaces,
                      functions=("contactForces",), preset=preset,

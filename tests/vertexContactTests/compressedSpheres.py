@@ -29,16 +29,16 @@ SOURCES = {"0": ("Abaqus", "Areias", "FEBio", "PusoLaursen"),
            "0.5": ("Abaqus", "Areias", "FEBio")}
 MATERIAL = {"type": "neoHookean", "rho": 1000, "E": 1e6, "nu": 0.3}
 
-# The first three lie in the planes of the axes
+# The first three corners lie in the planes of the axes
 PATCHES = {"sideX": "symmetryPlane", "sideY": "symmetryPlane",
            "bottom": "symmetryPlane", "inside": "contact", "outside": "contact"}
 
 
 @dataclass
 class Shell(Body):
-    """An eighth of a hollow sphere, of three blocks: that of a hollow cube,
-    moved outwards along rays. Cells: along an edge of a block, and through
-    the thickness; size: its two radii."""
+    """An eighth of a hollow sphere, of three blocks: a hollow cube that is
+    moved outwards along rays. Cells: along an edge of a block, and through the
+    thickness; size: its two radii."""
 
     def mesh(self):
         corners = [c for c in np.ndindex(2, 2, 2) if any(c)]
@@ -80,7 +80,8 @@ class Shell(Body):
 
 
 def toSphere(X):
-    """Of a cube, with equal angles between the lines of its mesh."""
+    """Points of a sphere from those of a cube, with equal angles between mesh
+    lines."""
     r = np.abs(X).max(axis=1, keepdims=True)
     ray = np.tan(np.pi/4*X/r)
     return r*ray/np.linalg.norm(ray, axis=1, keepdims=True)
@@ -98,8 +99,8 @@ def plane(body, side, z, normal, **more):
 
 
 def write(folder, k, duration=DURATION, n=6, across=2):
-    """The case, not yet run: cells over an edge of a block of the inner
-    sphere, and through the thickness of each."""
+    """The case, not run yet. n: cells over an edge of a block of the inner
+    sphere; across: cells through the thickness of each sphere."""
     down = {"solidBodyMotionFunction": "linearMotion", "linearMotionCoeffs":
             {"velocity": (0, 0, -WAY/duration)}}
     return SmallCase(
@@ -116,26 +117,27 @@ def write(folder, k, duration=DURATION, n=6, across=2):
 
 
 def theirs():
-    """Columns displacement, and k:source; nan where a curve has ended."""
+    """The published table, with columns displacement and k:source; nan after
+    the end of a curve."""
     return readResults.csv(FILE)
 
 
 def history(case, duration=DURATION):
-    """Ways of the roof [mm], and forces on it [N], of a run."""
+    """Displacements of the roof [mm], and forces on it [N], from a run."""
     contact = readResults.table(case.path, "contactForces", "roof.dat")
     return 1e3*WAY*contact["Time"]/duration, np.abs(
         contact["outer.outside:Fz"])
 
 
 def forces(case, duration=DURATION, way=0.1):
-    """Displacements of theirs(), means of the force so many mm before and
-    behind."""
+    """Displacements of theirs(), and means of the force over this distance in
+    mm before and after them."""
     places = theirs()["displacement"]
     return places, meansAround(*history(case, duration), places, way)
 
 
 def plot(file, cases, duration):
-    """Forces of {k: case} over the published ones."""
+    """Plot the forces of {k: case} over the published ones."""
     figure, axes = plt.subplots(1, 2, figsize=(11, 4.5), sharey=True,
                                 layout="constrained")
     data = theirs()

@@ -1,5 +1,5 @@
-"""Scenes of contact that more than one test has: four blocks that meet, on
-ranks, a rigid tool on a block, and a box that falls on its bumper."""
+"""Scenes of contact for several tests: four blocks that collide, on given
+ranks; a rigid tool on a block; a box that falls on its bumper."""
 
 import numpy as np
 
@@ -13,8 +13,8 @@ END = 0.05
 
 
 def squares(gap=0.05):
-    """Four blocks of a metre on a grid of two by two that fly to the middle:
-    each meets two others, and all four their corners."""
+    """Four blocks of one metre on a grid of two by two fly to the middle. Each
+    touches two others, and all four touch with their corners."""
     bodies = []
     for i in range(2):
         for j in range(2):
@@ -35,13 +35,14 @@ def solve(case, ranks=1):
 
 
 def difference(a, b):
-    """Of the energies at the end, over the initial one."""
+    """Difference of the final energies, relative to the initial energy."""
     return max(abs(a.energies[f"total:{e}"][-1] - b.energies[f"total:{e}"][-1])
                for e in ("kinetic", "strain"))/a.totalEnergy[0]
 
 
-# Ranks by cell: a body as a whole, cut in two, on all; of four ranks one has no
-# part of a surface in contact. Then two bodies that touch on one rank
+# Rank of each cell: a body as a whole or cut in two, on all ranks. With four
+# ranks, one rank has no part of a contact surface. Then two touching bodies on
+# one rank
 PLACES = {
     "mixed": (4, {"square00": lambda i, j: 0, "square10": lambda i, j: 1,
                   "square01": lambda i, j: 1 + (j > 1),
@@ -52,7 +53,7 @@ PLACES = {
 
 
 def solveOn(case, ranks, places):
-    """With each cell on the rank that is asked for."""
+    """Run the case with each cell on a given rank."""
     for body in case.bodies:
         nx, ny = body.cells
         cells = [places[body.name](k % nx, k//nx) for k in range(nx*ny)]
@@ -69,13 +70,13 @@ def rigid(**more):
 
 
 def spinning(center, spin, velocity=(0, 0, 0)):
-    """Initial velocity of a body that turns."""
+    """Initial velocity of a rotating body."""
     return lambda X: np.cross(spin, X - np.array(center)) + np.array(velocity)
 
 
 def toolAndBlock(folder, endTime=1, ranks=1, control=None, material=None,
                  contact=None):
-    """A tool that turns is pressed on a block with friction."""
+    """A rotating tool is pressed on a block with friction."""
     tool = Body(cells=(3, 3, 3), name="tool", start=(0.3, 1.01, 0.4),
                 size=(0.5, 0.3, 0.7), sides={"bottom": "contact"},
                 velocity=spinning((0.55, 1.16, 0.75), (0.1, 1.0, 0.05)),
@@ -98,9 +99,9 @@ ALUMINIUM = {"type": "neoHookean", "rho": 2700, "E": 70e9, "nu": 0.33}
 
 
 def boxOnBumper(folder, joint="tied", nu=0.4, every=5, n=8, **control):
-    """An aluminium box with a rubber bumper, of n elements over each height,
-    falls on a rigid plane at 3 m/s; rows of histories each so many steps. The
-    case, not yet run."""
+    """An aluminium box with a rubber bumper falls on a rigid plane at 3 m/s.
+    n: elements over each height; every: steps between rows of histories. The
+    case is not run yet."""
     gap, speed, thick = 1e-4, (0, -3, 0), 0.01
     box = Body((n, n), name="box", start=(0, thick + gap, 0),
                size=(0.05, 0.05, 1), material=ALUMINIUM, velocity=speed,
@@ -118,6 +119,6 @@ def boxOnBumper(folder, joint="tied", nu=0.4, every=5, n=8, **control):
 
 
 def released(case):
-    """When the bumper leaves the floor."""
+    """The time at which the bumper leaves the floor."""
     contact = case.contact("floor")
     return contact["Time"][contact["area"] > 0][-1]

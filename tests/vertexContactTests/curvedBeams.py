@@ -30,7 +30,8 @@ STEEL = {"type": "HenckyVonMises", "rho": 7800, "E": 689.5564786e6,
 
 
 def ring(name, inner, angle, centre, ends, outside, across):
-    """Half a ring that begins at an angle, 2 mm thick, 1 m wide; mm."""
+    """Half a ring from a given angle on, 2 mm thick and 1 m wide; lengths in
+    mm."""
     return Body(
         (across, 10*across), name=name, start=(1e-3*inner, angle, 0),
         size=(2e-3, np.pi, 1), material=dict(STEEL),
@@ -39,7 +40,8 @@ def ring(name, inner, angle, centre, ends, outside, across):
 
 
 def motion(duration=DURATION):
-    """Of the ends, [m/s]: a tenth of the time to start, a tenth to stop."""
+    """Motion of the ends [m/s]: a tenth of the time to start, a tenth to
+    stop."""
     V = WAY/(0.9*duration)
     return condition("fixedVelocity", velocity=table(
         (0, (0, 0, 0)), (0.1*duration, (V, 0, 0)),
@@ -47,7 +49,7 @@ def motion(duration=DURATION):
 
 
 def write(folder, k, duration=DURATION, across=5):
-    """The case, not yet run: cells through the thickness."""
+    """The case, not run yet. across: cells through the thickness."""
     return SmallCase(
         folder,
         [ring("lower", 10, 0, (LOWER, 0),
@@ -64,12 +66,13 @@ def write(folder, k, duration=DURATION, across=5):
 
 
 def theirs():
-    """Columns displacement, and k:x, k:y."""
+    """The published table, with columns displacement, and k:x, k:y."""
     return readResults.csv(FILE)
 
 
 def history(case):
-    """Of a run: displacements [mm], reactions along and across [N/mm]."""
+    """Displacements [mm], and reactions along and across [N/mm], from a
+    run."""
     contact = readResults.table(case.path, "contactForces", "between.dat")
     times, D = readResults.probe(case.path, "driven", "pointD")
     return 1e3*np.interp(contact["Time"], times, D[:, 0]), 1e-3*np.array(
@@ -77,15 +80,15 @@ def history(case):
 
 
 def reactions(case, way=0.3):
-    """Displacements of theirs(), means of the reactions so many mm before and
-    behind."""
+    """Displacements of theirs(), and means of the reactions over this distance
+    in mm before and after them."""
     places = theirs()["displacement"]
     return places, meansAround(*history(case), places, way)
 
 
 def plot(file, cases, way=0.3):
-    """Reactions of {k: case} over the published ones: as they are (pale), and
-    their means so many mm before and behind."""
+    """Plot the reactions of {k: case} over the published ones: as they are
+    (pale), and as means over a distance in mm before and after."""
     figure, axes = plt.subplots(1, 2, figsize=(11, 4.5), sharex=True,
                                 layout="constrained")
     data = theirs()

@@ -1,4 +1,4 @@
-"""Cases of blocks with the default scheme, and what they have in common."""
+"""Cases of blocks with the default scheme, and their common parts."""
 
 import numpy as np
 
@@ -6,15 +6,15 @@ from vertexContactTests.smallCases import (FLOOR, RUBBER, Body, SmallCase,
                                            condition, interface)
 
 HARD = dict(RUBBER, nu=0.4)
-STEEP = dict(RUBBER, nu=0.4995)             # the Jacobian is smoothed
-# Of pressure waves in HARD
+STEEP = dict(RUBBER, nu=0.4995)             # its Jacobian is smoothed
+# speed of pressure waves in HARD
 SPEED = np.sqrt((1 - 0.4)/((1 + 0.4)*(1 - 0.8)))
 CLAMPED = {"bottom": condition("fixedVelocity", velocity=(0, 0, 0))}
 
 
 def defaultCase(folder, bodies, endTime, control=None, every=None, **more):
-    """A SmallCase with rows of energies, and of forces if there is contact, in
-    each of so many steps."""
+    """A SmallCase that writes a row of energies, and of forces if there is
+    contact, every so many steps."""
     functions = {name: {"type": name, "libs": "(vertexContact)",
                         "writeControl": "timeStep",
                         "writeInterval": every or 1}
@@ -26,7 +26,7 @@ def defaultCase(folder, bodies, endTime, control=None, every=None, **more):
 
 
 def rough(dimensions, spin=0.1, noise=0.02, seed=1):
-    """A rotation and a velocity that is different at each point."""
+    """A rotation plus a different random velocity at each point."""
     def velocity(X):
         place = np.round(X[:, :dimensions]*1e6).astype(int)
         _, which = np.unique(place, axis=0, return_inverse=True)
@@ -38,14 +38,14 @@ def rough(dimensions, spin=0.1, noise=0.02, seed=1):
     return velocity
 
 
-# F behind the shock, by the speed of a bar over SPEED
+# F behind the shock, by the speed of a bar relative to SPEED
 BEHIND = {0.5: 0.5514, 1.0: 0.2831, 1.2: 0.2259}
 
 
 def barAgainst(folder, against, cells, speed):
-    """A bar of cubic cells, one metre long, that hits its mirror image, a
-    plane, or an equal body, with so many times SPEED: run until shocks have
-    gone along a third of it. Mirrors on its sides."""
+    """A bar of cubic cells, one metre long, with mirrors on its sides. It hits
+    its mirror image, a plane, or an equal body at speed times SPEED. The run
+    ends when shocks have travelled along a third of it."""
     across = [n/cells[0] for n in cells[1:]]
     mirrors = ("bottom", "top", "back", "front")[:2*len(across)]
     v = speed*SPEED
@@ -71,8 +71,8 @@ def barAgainst(folder, against, cells, speed):
 
 
 def checkShock(f, run, speed, y=0):
-    """No saw-tooth behind the shock of such a bar, along a line of its nodes
-    at y and z alike."""
+    """Check that there is no saw-tooth behind the shock of such a bar, along a
+    line of its nodes with equal y and z."""
     X = run.X("body")
     line = np.isclose(X[:, 1], y) & np.isclose(X[:, 2], y)
     x, F = X[line, 0], run.at("F", region="body")[line, 0]

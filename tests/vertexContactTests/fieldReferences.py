@@ -49,7 +49,7 @@ def scene(path, mesh, end, options):
                     options=tuple(options.items()))
 
 
-# Of the paper's scheme, and of the default one
+# For the paper's scheme, and for the default scheme
 PAPERS = [scene(*t) for t in TUTORIALS]
 DEFAULTS = [replace(s, preset=DEFAULT) for s in PAPERS]
 REFERENCES = {**dict(zip(NAMES, PAPERS)),
@@ -57,8 +57,8 @@ REFERENCES = {**dict(zip(NAMES, PAPERS)),
 
 
 def norms(case):
-    """Of each field its L2 norm, and its sum with weights that differ from
-    point to point and from component to component."""
+    """L2 norm of each field, and its sum with weights that differ between
+    points and components."""
     last = timeFolders(case.path)[-1]
     result = {}
     for folder in sorted((case/last).glob("*/pointD")):

@@ -8,8 +8,8 @@ SYMM = np.array((1, -1, -1, 1, 1, 1))
 
 
 def partners(case, left, right, plane, tolerance=1e-9):
-    """Index of the point of the right body that is the image of each point of
-    the left one."""
+    """For each point of the left body, the index of its mirror image in the
+    right body."""
     def rows(X):
         keys = np.round(X/tolerance).astype(np.int64)
         return np.lexsort(keys.T[::-1])
@@ -18,7 +18,7 @@ def partners(case, left, right, plane, tolerance=1e-9):
     image = A*VECTOR + np.array((2*plane, 0, 0))
     a, b = rows(image), rows(B)
     if np.abs(image[a] - B[b]).max() > 10*tolerance:
-        raise ValueError(f"{left} and {right} are no mirror images")
+        raise ValueError(f"{left} and {right} are not mirror images of each other")
     index = np.empty(len(A), dtype=int)
     index[a] = b
     return index
@@ -26,7 +26,7 @@ def partners(case, left, right, plane, tolerance=1e-9):
 
 def asymmetry(case, left, right, plane):
     """Largest difference of velocity, displacement and stress from the mirror
-    image at any time written, over the largest value of the field at all."""
+    image at any written time, relative to the largest value of the field."""
     index = partners(case, left, right, plane)
     worst = 0.0
     for name, signs in (("pointU", VECTOR), ("pointD", VECTOR),

@@ -16,7 +16,7 @@ LIMIT = 1   # [s]
 
 
 def names():
-    """file::function, of all that are slow."""
+    """file::function of all slow tests."""
     return set(FILE.read_text().split())
 
 

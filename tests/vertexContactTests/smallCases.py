@@ -25,7 +25,7 @@ SCHEMES = "ddt", "grad", "div", "laplacian", "interpolation", "snGrad"
 
 
 def text(value):
-    """A value as in OpenFOAM's dictionaries."""
+    """A value as OpenFOAM's dictionaries have it."""
     if isinstance(value, dict):
         return f"\n{{\n{entries(value)}}}\n"
     if isinstance(value, (list, tuple, np.ndarray)):
@@ -47,12 +47,12 @@ def condition(name, **values):
 
 
 def table(*rows):
-    """Function1 of (time, value) rows."""
+    """A Function1 from (time, value) rows."""
     return "table " + text(rows)
 
 
 def interface(minus, plus, law="frictionless", **more):
-    """The interface of two (region, patch)."""
+    """The interface of two sides (region, patch)."""
     law = law if isinstance(law, dict) else {"type": law}
     return {"sides": (minus, plus), "pairing": "matching", "law": law, **more}
 
@@ -63,13 +63,14 @@ FLOOR = {"type": "plane", "planeType": "pointAndNormal",
 
 
 def smooth(s):
-    """From 0 to 1 between 0 and 1, without a jolt at either end."""
+    """A smooth rise from 0 to 1 between 0 and 1."""
     return s**3*(10 - 15*s + 6*s**2)
 
 
 def slowly(time, *values):
-    """Accelerations from each to the next within a time, without a jolt: what
-    vibrates has no dissipation, presses less now and then, and slips then."""
+    """Accelerations that change smoothly from one to the next within a time.
+    Otherwise vibrations, which have no dissipation, reduce the pressure now
+    and then and cause slip."""
     s = np.linspace(0, 1, 201)[1:]
     part = smooth(s)[:, None]
     rows = [(0, tuple(values[0]))]
@@ -94,7 +95,7 @@ def polar(X):
 
 
 def turned(r, axis, angle):
-    """Points about the origin."""
+    """Points rotated about the origin."""
     axis = np.array(axis)/np.linalg.norm(axis)
     c, s = np.cos(angle), np.sin(angle)
     return c*r + s*np.cross(axis, r) + (1 - c)*np.outer(r @ axis, axis)
@@ -102,9 +103,10 @@ def turned(r, axis, angle):
 
 @dataclass
 class Body:
-    """A block and what is on it. The number of cell counts is its dimension;
-    directions left out are one metre wide, so that energies and momenta are
-    per square metre or metre. Sides: left right bottom top back front."""
+    """A block and its conditions. The number of cell counts is its dimension.
+    Directions that are left out are one metre wide, so that energies and
+    momenta are per square metre or per metre. Sides: left right bottom top
+    back front."""
 
     cells: tuple
     name: str = "body"
@@ -118,7 +120,7 @@ class Body:
     deformation: Callable | None = None         # F; else that of displacement
     forces: dict = field(default_factory=dict)  # of bodyForces, by name
     moved: Callable | None = None               # of the points of the block
-    edges: tuple = ()                           # of blockMesh
+    edges: tuple = ()                           # entries of blockMesh
 
     @property
     def dimensions(self):
@@ -136,7 +138,7 @@ class Body:
                     side: f"(({face}))" for side, (_, face) in SIDES.items()})}
 
     def boundary(self, faces):
-        """Of blockMesh, from the faces of each side."""
+        """The boundary of blockMesh, from the faces of each side."""
         entries = []
         for side, those in faces.items():
             kind = self.condition(side)["type"]
@@ -194,9 +196,9 @@ class GmshBody(Body):
 
 
 def distorted(amplitude, size=(1, 1, 1), dimensions=3, start=(0, 0, 0)):
-    """A map of the points of a block that distorts it inside and keeps its
-    sides flat, alike on opposite sides: amplitude below 1, where it would
-    fold."""
+    """A map of the points of a block that distorts its inside and keeps its
+    sides flat, in the same way on opposite sides. The amplitude is below 1,
+    where the block would fold."""
     def move(X):
         s = (X - np.array(start))/np.array(size)
         out = X.copy()
@@ -299,7 +301,7 @@ class SmallCase(Case):
         return self
 
     def attempt(self, ranks=1):
-        """Run, whatever happens: exit code and output."""
+        """Run whatever happens; returns exit code and output."""
         if ranks > 1:
             self.decompose(ranks)
         done = execute(solver(ranks), self.path)
@@ -311,8 +313,8 @@ class SmallCase(Case):
         return timeFolders(self.path)[-1]
 
     def at(self, name, time=None, region=None):
-        """Values of a point field, at the last time and of the first body
-        unless given."""
+        """Values of a point field. Default: at the last time, and of the first
+        body."""
         return self.field(time or self.last, region or self.bodies[0].name,
                           name)
 
@@ -331,7 +333,7 @@ def values(function, X):
 
 
 def listed(X):
-    """Rows of vectors or tensors, or of one number each, as a list."""
+    """Rows of vectors, tensors or single numbers, as a list for OpenFOAM."""
     rows = (" ".join(f"{x:.17g}" for x in row) for row in X)
     rows = "\n".join(rows if len(X[0]) == 1 else (f"({row})" for row in rows))
     return f"{len(X)}\n(\n{rows}\n)\n"

@@ -20,7 +20,8 @@ VIEW = drawSolids.turn(0, -75) @ drawSolids.turn(2, 25)
 
 
 def settings(case):
-    """Elements over the height of a foot, how the box is, and the steps."""
+    """Elements over the height of a foot, the kind of the box, and of the
+    steps."""
     return (round(8/float(drawHistories.parameter(case, "size", 2))),
             str(drawHistories.parameter(case, "box", "elastic")),
             "own" if drawHistories.parameter(case, "subCycling") else "one")
@@ -33,7 +34,7 @@ def label(case):
 
 
 def plotForce(file, runs):
-    """Of the floor: as it is, behind the filter, and of the model."""
+    """Force of the floor: unfiltered, filtered, and from the model."""
     unit, value = TIME_UNIT
     model = bumperModel.drop()
     with drawHistories.diagram(
@@ -50,7 +51,7 @@ def plotForce(file, runs):
 
 
 def plotStress(file, runs):
-    """The largest in the box, wherever it is."""
+    """The largest stress in the box, at any place."""
     unit, value = TIME_UNIT
     with drawHistories.diagram(
             file, f"time [{unit}]",

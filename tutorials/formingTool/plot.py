@@ -28,8 +28,8 @@ def label(case):
 
 
 def plotForce(file, runs):
-    """On the stamp, of the block, and what Prandtl's block can bear; and how
-    far the stamp is."""
+    """The force on the stamp, the force of the block, and the limit for
+    Prandtl's block; and the path of the stamp."""
     unit, value = TIME_UNIT
     figure, (left, right) = plt.subplots(
         1, 2, figsize=(11, 4.5), sharex=True, layout="constrained")

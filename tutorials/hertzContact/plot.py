@@ -16,16 +16,17 @@ from vertexContactCases.readFields import Reader
 
 MESHES = {0.28: "Mesh I", 0.21: "Mesh II", 0.14: "Mesh III", 0.105: "Mesh IV"}
 TIMES = 0.001, 0.0025, 0.004, 0.0055
-LARGEST_FORCE = 0.0025      # the written time that is next to it
+LARGEST_FORCE = 0.0025      # the written time that is closest to it
 TIME_UNIT = "ms", 1e-3
 PRESSURE = drawFields.Field("pressure", "pressure [kPa]", 1e3)
-# The mirrors are in front, z points upwards; from the height of the equator
+# The mirrors are in front, z points upwards; seen from the height of the
+# equator
 VIEW = drawSolids.turn(0, -90) @ drawSolids.turn(2, 45)
 
 
 def settings(case):
-    """Scene, and length of the edges at the contact [mm], negative so that
-    finer meshes come later."""
+    """Scene, and edge length at the contact [mm], negative so that finer
+    meshes come later."""
     return (str(drawHistories.parameter(case, "scene", "plane")),
             -float(drawHistories.parameter(case, "size", 0.21)))
 
@@ -37,14 +38,14 @@ def label(case):
 
 
 def force(case):
-    """Times, and the force on the whole sphere 1: the model is a quarter."""
+    """Times, and the force on the whole sphere 1; the model is a quarter."""
     data = readResults.table(case, "contactForces", "contact.dat")
     return data["Time"], 4*np.abs(data["sphere1.surface:Fz"])
 
 
 def tractions(case, time):
-    """Distances from the axis, and normal tractions there, of the nodes of
-    the lower half of sphere 1."""
+    """Distances from the axis, and normal tractions, of the nodes of the lower
+    half of sphere 1."""
     surface = Reader(case).read(
         time, "surface", ("pointD", "contactTraction"))["sphere1"]
     lower = surface.points[:, 2] < hertzSolution.RADIUS
@@ -65,7 +66,7 @@ def plotForce(file, runs):
 
 
 def plotTraction(file, case):
-    """Against the theory at the force of that time."""
+    """Traction compared with the theory for the force at this time."""
     F = np.interp(LARGEST_FORCE, *force(case))
     a = hertzSolution.contactRadius(F)
     with drawHistories.diagram(

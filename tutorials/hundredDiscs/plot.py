@@ -26,7 +26,7 @@ def label(case):
 
 
 def plotEnergies(file, run):
-    """Where the work of gravity goes."""
+    """The parts of the energy to which the work of gravity goes."""
     times, parts = heap.ledger(run.folder)
     with drawHistories.diagram(
             file, "time [s]", "energy [J/m]", title=run.label) as ax:
@@ -35,7 +35,7 @@ def plotEnergies(file, run):
 
 
 def plotBox(file, runs):
-    """Force of the box over the weight."""
+    """Force of the box, relative to the weight."""
     with drawHistories.diagram(
             file, "time [s]",
             "force of the box upwards / weight of the discs") as ax:

@@ -46,7 +46,7 @@ def finish(file, figure, ax, ylabel):
 
 
 def plotHistories(velocityFile, forceFile, runs):
-    """Of all runs with the gap of the last one, and the chains with it."""
+    """All runs with the gap of the last run, and the chains with this gap."""
     value = TIME_UNIT[1]
     gap = settings(runs[-1].folder)[1]
     runs = [run for run in runs if settings(run.folder)[1] == gap]

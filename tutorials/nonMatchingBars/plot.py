@@ -42,8 +42,8 @@ def label(case):
 
 
 def lineValues(case, field):
-    """Positions of the nodes on the axis of bar 2, and x components there, at
-    the time of the line."""
+    """Positions of the nodes on the axis of bar 2, and x components at these
+    nodes, at the time of the line."""
     points = np.array(drawHistories.parameter(case, "linePoints"))
     values = []
     for i in range(len(points)):

@@ -20,7 +20,7 @@ STRESS = drawFields.Field(
 
 
 def polar(X, sigma):
-    """Radii, and radial and hoop stress, from xx xy xz yy yz zz."""
+    """Radii, and radial and hoop stress, from components xx xy xz yy yz zz."""
     r = np.hypot(X[:, 0], X[:, 1])
     c, s = X[:, 0]/r, X[:, 1]/r
     xx, xy, _, yy = sigma[:, :4].T
@@ -29,14 +29,15 @@ def polar(X, sigma):
 
 
 def plotStresses(file, case, label):
-    """Radial and hoop stress of all nodes at the last time, and Lame's."""
+    """Radial and hoop stress of all nodes at the last time, and Lame's
+    solution."""
     reader = Reader(case)
     bodies = reader.read(reader.times[-1])
     with drawHistories.diagram(
             file, "radius [mm]", "stress [MPa]", title=label) as ax:
         ax.margins(x=0.05)
         for name, body in bodies.items():
-            # VTK's order is xx yy zz xy yz xz
+            # The order of VTK is xx yy zz xy yz xz
             sigma = np.asarray(body.point_data["sigma"], dtype=float)
             r, radial, hoop = polar(np.asarray(body.points, dtype=float),
                                     sigma[:, (0, 3, 5, 1, 4, 2)])

@@ -31,9 +31,9 @@ LISTS = (
 
 HEAD = """# Keywords
 
-What may be written in a case, with units and defaults, as `vertexContactFoam -list…` prints it. `writeKeywords.py` has made this page of it; a test
-says when it is out of date. The solver takes no other keywords there: a wrong one is an error that names the valid ones. `controlDict` has those of OpenFOAM, too,
-and [variables](options.md#keywords-of-controldict).
+The keywords of a case, with units and defaults, as `vertexContactFoam -list…` prints them. `writeKeywords.py` writes this page from that output, and a test
+fails if the page is out of date. The solver accepts no other keywords in these places: a wrong one is an error that names the valid ones. `controlDict` also
+has OpenFOAM's own keywords and [variables](options.md#keywords-of-controldict).
 """
 
 
@@ -43,7 +43,7 @@ def run(*arguments):
 
 
 def printed(option):
-    """What the option prints after OpenFOAM's banner, without the names of
+    """The output of the option after OpenFOAM's banner, without the names of
     OpenFOAM's own models."""
     text = re.split(r"(?m)^// (?:\* )+//$", run(f"-list{option}"), 1)[1]
     text = re.sub(r"(?m)(^'.*OpenFOAM\))\n +\(.*\)$", r"\1", text)
@@ -61,7 +61,7 @@ def page():
     for option, explained in LISTS:
         title, rows = printed(option).split("\n\n", 1)
         name, place = title.split(": ", 1)
-        text += (f"\n## {name}\n\n`-list{option}`: {place}. What they mean: "
+        text += (f"\n## {name}\n\n`-list{option}`: {place}. Explained in "
                  f"[{explained[:-3]}]({explained}).\n\n"
                  f"```text\n{rows}\n```\n")
     return text

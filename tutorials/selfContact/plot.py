@@ -42,7 +42,7 @@ def main(case="."):
         (("pointU", r"velocity $v_y$ [m/s]", 1),
          ("pointD", r"displacement $u_y$ [mm]", 1e-3)),
         TIME_UNIT, CONTACT, component=1)
-    # Relative to the initial one, of the half as of the whole
+    # Relative to the initial value, for the half model and for the whole
     drawHistories.plotEnergy(
         case/"energies.png", runs, TIME_UNIT, ("J/m", 1))
 

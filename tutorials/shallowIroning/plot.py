@@ -28,7 +28,7 @@ def label(case):
 
 
 def plotForces(file, runs):
-    """Over the way of the top of the block: 1 mm down, 10 mm along."""
+    """Forces over the path of the top of the block: 1 mm down, 10 mm along."""
     figure, axes = plt.subplots(1, 2, figsize=(11, 5), sharex=True,
                                 layout="constrained")
     theirs = published.sources()

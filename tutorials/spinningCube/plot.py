@@ -18,7 +18,7 @@ TURN = 2*pi/30      # s
 
 
 def settings(case):
-    """What is different between runs."""
+    """The settings that differ between runs."""
     def value(key, default):
         return drawHistories.parameter(case, key, default)
     return (str(value("preset", "")), int(value("nEdge", 6)),
@@ -59,7 +59,7 @@ def main(case="."):
         ax.grid(color="0.9")
         ax.margins(x=0)
     for ax in axes[:2]:
-        # At least a percent, so that round-off is seen as such
+        # At least a percent, so that round-off looks like round-off
         low, high = ax.get_ylim()
         ax.set_ylim(min(low, 99), max(high, 101))
         ax.ticklabel_format(useOffset=False)

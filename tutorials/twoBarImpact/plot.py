@@ -34,7 +34,7 @@ def label(case):
 
 
 def plotHistories(case, exact):
-    """v, sigma and u at the ends that meet, as Figures 8 and 9."""
+    """v, sigma and u at the ends that touch, as Figures 8 and 9."""
     left, right = exact.bars
     times = np.linspace(0, exact.endTime, 4001)
     figure, axes = plt.subplots(

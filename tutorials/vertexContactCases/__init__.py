@@ -1,2 +1,2 @@
-"""What tutorials and cases of users share: to read results, to draw them, and
-the theories that they are compared with. etc/bashrc puts it on PYTHONPATH."""
+"""Code that tutorials and users' cases share: reading results, drawing them,
+and theories to compare with. etc/bashrc puts it on PYTHONPATH."""

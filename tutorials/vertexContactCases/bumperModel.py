@@ -19,14 +19,15 @@ GAP = 1e-4                  # [m]
 GRAVITY = 9.81
 STIFFER = 1 + 2*(SIDE**2/(4*SIDE*HEIGHT))**2
 
-# Of a spring that is stretched uniformly a third moves with its end
+# The mass of a uniformly stretched spring counts a third at its end
 MASS = BOX + FEET_MASS/3
 FIRST_CONTACT = GAP/SPEED
 
 
 def stress(stretch):
     """Force over undeformed area [Pa] of a neo-Hookean body with free sides,
-    whose length is that share of the undeformed one. Positive in tension."""
+    at a given ratio of its length to its undeformed length. Positive in
+    tension."""
     mu, kappa = E/(2*(1 + NU)), E/(3*(1 - 2*NU))
 
     def along(i, lengths):
@@ -34,7 +35,7 @@ def stress(stretch):
         return (mu*J**(-2/3)*(lengths[i] - lengths @ lengths/(3*lengths[i]))
                 + kappa*(J - 1)*J/lengths[i])
 
-    # The sides are free: that is a falling function of the width
+    # The sides are free: their force is a falling function of the width
     least, most = 0.5, 2.0
     while most - least > 1e-12:
         width = (least + most)/2
@@ -46,7 +47,8 @@ def stress(stretch):
 
 
 def force(shorter):
-    """Of all feet [N], shorter by so much [m]; positive in compression."""
+    """Force of all feet [N] at a given shortening [m]; positive in
+    compression."""
     if shorter <= 0:
         return 0.0
     return -STIFFER*FEET*SIDE**2*stress(1 - shorter/HEIGHT)
@@ -54,7 +56,7 @@ def force(shorter):
 
 @dataclass
 class Drop:
-    """Times from the first contact on [s], forces of the floor [N], and the
+    """Times since the first contact [s], forces of the floor [N], and the
     velocity at the end [m/s], upwards."""
 
     times: np.ndarray
@@ -67,7 +69,7 @@ class Drop:
 
 
 def drop(dt=2e-6):
-    """Until the feet are as long as at the start."""
+    """Integrate until the feet have their initial length again."""
     x, v, t = 0.0, SPEED, 0.0
     times, forces = [0.0], [0.0]
     while x > 0 or t == 0:

@@ -19,23 +19,24 @@ from pathlib import Path
 COLUMNS, ROWS = 10, 10
 WIDTH = 0.28                # of the box [m], as in constant/triSurface/box.obj
 SPACING = 0.027             # of the places [m]
-LOWEST = 0.016              # place of the lowest row [m]
+LOWEST = 0.016              # centre of the lowest row [m]
 RADII = 0.008, 0.010, 0.012
 SHIFT = 0.0012              # from the places, at most, in x and in y [m]
-SPEED = 0.5                 # at most, in x and in y [m/s]
-# Of soft and of stiff ones [kg/m3], as in constant/solidProperties
+SPEED = 0.5                 # largest velocity, in x and in y [m/s]
+# Of soft and of stiff discs [kg/m3], as in constant/solidProperties
 DENSITY = 1000, 2000
 
 
 def random(seed):
-    """Numbers between -1 and 1."""
+    """Random numbers between -1 and 1."""
     while True:
         seed = 48271*seed % 2147483647
         yield 2*seed/2147483647 - 1
 
 
 def discs():
-    """Name, radius, centre, velocity, and whether it is stiff."""
+    """Name, radius, centre, and velocity of each disc, and whether it is
+    stiff."""
     numbers = random(20261124)
     left = 0.5*(WIDTH - (COLUMNS - 1)*SPACING)
     for i in range(ROWS*COLUMNS):

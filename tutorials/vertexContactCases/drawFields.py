@@ -21,15 +21,15 @@ from matplotlib.colors import ListedColormap, Normalize
 from vertexContactCases.readFields import Reader, deformed
 
 DPI = 150
-# Grey, not white, at zero
+# Zero is grey, not white
 SIGNED = matplotlib.colormaps["coolwarm"]
 POSITIVE = ListedColormap(SIGNED(np.linspace(0.5, 1, 256)), "positive")
 
 
 @dataclass(frozen=True)
 class Field:
-    """A point field: its name, and the unit it is drawn in; its component
-    (otherwise the magnitude); whether both signs count."""
+    """A point field: its name and the unit of the drawing; its component
+    (otherwise the magnitude is drawn); whether both signs matter."""
 
     name: str
     label: str
@@ -42,7 +42,8 @@ class Field:
         return SIGNED if self.signed else POSITIVE
 
     def values(self, body):
-        """Zero in a body that does not have the field, as a rigid one."""
+        """Values of the field; zero in a body without this field, such as a
+        rigid one."""
         if self.name not in body.point_data:
             return np.zeros(body.n_points)
         values = np.asarray(body[self.name])
@@ -61,11 +62,11 @@ class Frame:
 
 
 def frames(case, times, field, part, surface, decomposed=False):
-    """Frames of those of the times that have been written; surface(body) is
-    what is drawn of a deformed body."""
+    """Frames of those of the times that are written. surface(body) is the
+    drawn part of a deformed body."""
     reader = Reader(case, decomposed)
     if field.name not in reader.vtk.point_array_names:
-        raise FileNotFoundError(f"{case} has no {field.name} of any time")
+        raise FileNotFoundError(f"{case} has no field {field.name} at any time")
     found = [Frame(time, [
         surface(deformed(body)) for body in
         reader.read(time, part, ("pointD", field.name)).values()])
@@ -76,7 +77,7 @@ def frames(case, times, field, part, surface, decomposed=False):
 
 
 def _front(patch):
-    """The front one of the two sides of an empty patch."""
+    """The front patch of the two empty patches."""
     z = patch.cell_centers().points[:, 2]
     front = patch.extract_cells(z > z.mean())
     return front.extract_surface(algorithm="dataset_surface")
@@ -88,7 +89,7 @@ def read(case, times, field, patch="frontAndBack", decomposed=False):
 
 
 def box(frames, margin=0.02):
-    """xMin, xMax, yMin, yMax of all bodies in all frames, and a margin."""
+    """xMin, xMax, yMin, yMax of all bodies in all frames, with a margin."""
     bounds = np.array([b.bounds for f in frames for b in f.bodies])
     low, high = bounds[:, (0, 2)].min(axis=0), bounds[:, (1, 3)].max(axis=0)
     space = margin*(high - low).max()
@@ -96,8 +97,8 @@ def box(frames, margin=0.02):
 
 
 def range_(frames, field, percentile=0.2):
-    """Limits of the colours, the same to both sides of zero or from it, that
-    all but a few values in all frames are in."""
+    """Limits of the colours for all values in all frames except a few;
+    symmetric about zero, or from zero."""
     values = np.concatenate([field.values(b) for f in frames
                              for b in f.bodies])
     limits = np.percentile(values, (percentile, 100 - percentile))
@@ -106,7 +107,8 @@ def range_(frames, field, percentile=0.2):
 
 
 def image(frame, field, limits, window, width):
-    """What is in the window, as width times so many pixels as that takes."""
+    """Image of the window, with this width in pixels and the height that it
+    needs."""
     xMin, xMax, yMin, yMax = window
     height = round(width*(yMax - yMin)/(xMax - xMin))
     plotter = pyvista.Plotter(off_screen=True, window_size=(width, height))
@@ -119,8 +121,8 @@ def image(frame, field, limits, window, width):
 
 
 def pixels(plotter, window, near=0):
-    """What a plotter has in the window, seen along -z from before near; closes
-    the plotter."""
+    """Image of the plotter's window, seen along -z from in front of near;
+    closes the plotter."""
     xMin, xMax, yMin, yMax = window
     x, y = (xMin + xMax)/2, (yMin + yMax)/2
     plotter.camera_position = ((x, y, near + 1), (x, y, near), (0, 1, 0))
@@ -133,7 +135,7 @@ def pixels(plotter, window, near=0):
 
 
 def _outlines(body):
-    """The boundary of a body, as few lines of many points."""
+    """The boundary of a body, as few polylines with many points."""
     edges = body.extract_feature_edges(
         boundary_edges=True, feature_edges=False, manifold_edges=False,
         non_manifold_edges=False)
@@ -141,7 +143,8 @@ def _outlines(body):
 
 
 def _addLines(ax, data, **style):
-    """Lines are numbers of points, each followed by so many points."""
+    """Add polylines; each is its number of points followed by their
+    indices."""
     points, cells, lines, i = data.points[:, :2], data.lines, [], 0
     while i < len(cells):
         end = i + 1 + cells[i]
@@ -151,8 +154,8 @@ def _addLines(ax, data, **style):
 
 
 def _panels(figure, count, columns, window, width):
-    """Axes for so many panels, row by row, and for the colour bar; sets the
-    height of the figure. Lengths in inches."""
+    """Axes for a number of panels, row by row, and for the colour bar; sets
+    the height of the figure. Lengths in inches."""
     left, above, right = (0.65, 0.1, 1.1) if columns == 1 else (0.1, 0.3, 1.1)
     w = (width - right)/columns - left
     h = w*(window[3] - window[2])/(window[1] - window[0])
@@ -178,7 +181,8 @@ def _panels(figure, count, columns, window, width):
 
 def panel(ax, frame, field, limits, window, width, render=image,
           outlines=True, wall=None, floor=None):
-    """The bodies at a time, rendered as width times so many pixels."""
+    """Draw the bodies at a time, with this width in pixels and the height that
+    it needs."""
     ax.set(xlim=window[:2], ylim=window[2:])
     ax.axis("off")
     ax.imshow(render(frame, field, limits, window, width), extent=window,

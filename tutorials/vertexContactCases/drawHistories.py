@@ -22,7 +22,7 @@ DPI = 150
 
 @dataclass(frozen=True)
 class Run:
-    """Where the histories of a mesh are, and how they are drawn."""
+    """The case with the histories of a mesh, and their style."""
 
     folder: Path
     label: str
@@ -30,7 +30,8 @@ class Run:
 
 
 def parameter(case, key, default=None):
-    """What Allrun wrote into system/caseParameters or presetParameters."""
+    """A value that Allrun wrote into system/caseParameters or
+    presetParameters."""
     for name in "caseParameters", "presetParameters":
         file = Path(case)/"system"/name
         found = FoamFile(file).get(key) if file.exists() else None
@@ -40,8 +41,8 @@ def parameter(case, key, default=None):
 
 
 def findRuns(case, size, label):
-    """Runs by increasing size(folder), a number; that of the case is the last
-    and stands out."""
+    """Runs sorted by size(folder), a number. The run of the case is the last
+    one and is highlighted."""
     case = Path(case)
     others = {size(folder): folder for folder in (case/"results").glob("*")
               if (folder/"postProcessing").is_dir()}
@@ -69,7 +70,7 @@ def diagram(file, xlabel, ylabel, **others):
 
 
 def _finish(figure, axes, file, timeLabel, lines):
-    """What all pictures share."""
+    """The style that all pictures share."""
     for ax in axes.flat:
         ax.grid(color="0.9")
     for ax in axes[-1]:

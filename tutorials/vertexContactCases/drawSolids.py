@@ -7,7 +7,7 @@ import pyvista
 from vertexContactCases import drawFields
 from vertexContactCases.drawFields import DPI
 
-PIXELS = 2      # a pixel of the picture, for smooth edges
+PIXELS = 2      # per pixel of the picture, for smooth edges
 
 
 def turn(axis, angle):
@@ -19,13 +19,13 @@ def turn(axis, angle):
     return R
 
 
-# x to the right, y upwards, seen a little from the right and from above
+# x to the right, y upwards, seen slightly from the right and from above
 VIEW = turn(0, 18) @ turn(1, -28)
 
 
 def read(case, times, field, view=VIEW, decomposed=False):
-    """Frames of those of the times that have been written: the surfaces where
-    they are now, turned so that they are seen from +z."""
+    """Frames of those of the times that are written: the deformed surfaces,
+    rotated so that they are seen from +z."""
     def surface(body):
         body = body.extract_surface(algorithm="dataset_surface")
         body.points = body.points @ view.T
@@ -45,7 +45,7 @@ def image(frame, field, limits, window, width, edges=0.5):
     plotter = pyvista.Plotter(off_screen=True, window_size=(width, height),
                               lighting="none")
     plotter.background_color = "white"
-    # From behind the eye, the left and above
+    # From behind the eye, from the left and from above
     plotter.add_light(pyvista.Light(
         position=(-1, 1, 2), light_type="scene light", intensity=0.5))
     near = max(body.bounds[5] for body in frame.bodies)
@@ -59,8 +59,8 @@ def image(frame, field, limits, window, width, edges=0.5):
 
 def draw(file, frames, field, timeUnit, columns, width=10, percentile=2,
          wall=None, dpi=DPI):
-    """Panels of the bodies at each time, in so many columns, with one scale
-    of colours; arguments as those of drawFields.draw."""
+    """Panels of the bodies at each time, in this number of columns, with one
+    colour scale; other arguments as in drawFields.draw."""
     drawFields.draw(file, frames, field, timeUnit, columns, width,
                     render=image, outlines=False, percentile=percentile,
                     wall=wall, dpi=dpi)

@@ -31,7 +31,8 @@ import numpy as np
 
 @dataclass(frozen=True)
 class Bar:
-    """A stress-free bar from X = start to start + length, speed velocity."""
+    """A stress-free bar from X = start to start + length, with this
+    velocity."""
 
     start: float
     length: float
@@ -98,8 +99,8 @@ class TwoBarImpact:
         self.endTime = endTime
         self.events = []
 
-        # What is emitted to the right at the left end of each bar, and to
-        # the left at its right end
+        # The invariants that each bar emits: to the right from its left end,
+        # and to the left from its right end
         self._r = [Steps(bar.velocity) for bar in self.bars]
         self._l = [Steps(bar.velocity) for bar in self.bars]
 
@@ -139,7 +140,7 @@ class TwoBarImpact:
             self._r[0].append(time, self._incomingLeft(0, time))
             self._l[1].append(time, self._incomingRight(1, time))
 
-            # Ends that meet
+            # The ends that may touch
             r, l = self._incomingRight(0, time), self._incomingLeft(1, time)
             zl, zr = left.z, right.z
             sigma = zl*zr*(l - r)/(zl + zr)
@@ -171,8 +172,8 @@ class TwoBarImpact:
             time = following
 
     def _emission(self, bar, time):
-        """When was emitted what arrives now. A change that is due but for
-        round-off counts as having arrived."""
+        """The time when the invariant that arrives now was emitted. A change
+        that is due up to round-off counts as arrived."""
         return time - bar.length/bar.c + 1e-13*self.endTime
 
     def _incomingRight(self, i, time):
@@ -188,7 +189,8 @@ class TwoBarImpact:
         return time - (X - bar.start)/bar.c, time - (bar.end - X)/bar.c
 
     def velocity(self, i, X, time):
-        """v at coordinates X of bar i (0 or 1), right of a jump in time."""
+        """v at coordinates X of bar i (0 or 1); at a jump, the value after
+        it."""
         tr, tl = self._delays(i, X, time)
         return 0.5*(self._r[i](tr) + self._l[i](tl))
 
@@ -208,7 +210,7 @@ class TwoBarImpact:
         bar = self.bars[i]
         kinetic, strain = np.empty(np.shape(time)), np.empty(np.shape(time))
         for k, t in enumerate(time):
-            # Between the fronts all is constant
+            # Between the fronts everything is constant
             r = bar.start + bar.c*(t - np.asarray(self._r[i].times[1:]))
             l = bar.end - bar.c*(t - np.asarray(self._l[i].times[1:]))
             fronts = np.concatenate((r, l))
@@ -221,7 +223,7 @@ class TwoBarImpact:
         return kinetic, strain
 
     def changes(self):
-        """Times at which v or sigma change at one of the meeting ends."""
+        """Times at which v or sigma change at one of the ends that touch."""
         times = {0.0}
         for i, bar in enumerate(self.bars):
             lag = bar.length/bar.c

@@ -1,5 +1,5 @@
-"""Of a run of tutorials/hundredDiscs: what the box carries, where the energy
-goes, and how deep discs are in each other."""
+"""Analysis of a run of tutorials/hundredDiscs: the load of the box, the parts
+of the energy, and the overlap of discs."""
 
 import re
 from pathlib import Path
@@ -12,7 +12,7 @@ GRAVITY = 9.81
 
 
 def mass(nQuarter):
-    """Of all discs [kg/m], which are regular polygons."""
+    """Mass of all discs [kg/m], which are regular polygons."""
     n = 4*nQuarter
     return sum(discs.DENSITY[stiff]
                * 0.5*n*np.sin(2*np.pi/n)*radius**2
@@ -20,7 +20,7 @@ def mass(nQuarter):
 
 
 def box(case):
-    """Times, and of all discs together the force of the box [N/m] and its
+    """Times; and, for all discs together, the force of the box [N/m] and its
     impulse so far [N.s/m], in x and y; its friction so far [J/m]."""
     force = impulse = friction = 0
     for name, *_ in discs.discs():
@@ -34,7 +34,8 @@ def box(case):
 
 
 def outlines(case, time):
-    """Of each disc the corners of its boundary, in order, where they are."""
+    """For each disc the corners of its boundary, in order, at their current
+    positions."""
     found = []
     bodies = readFields.Reader(case).read(time, "surface", ("pointD",))
     for body in bodies.values():
@@ -77,7 +78,7 @@ def overlaps(case, time):
 
 
 def ledger(case):
-    """Times, and where the energy is and goes [J/m]; the first is the sum of
+    """Times, and the parts of the energy [J/m]; the first part is the sum of
     the others."""
     data = readResults.table(case, "solidEnergies", "energies.dat")
     total = {key[6:]: data[key] for key in data if key.startswith("total:")}
@@ -93,9 +94,9 @@ def ledger(case):
 
 
 def momentumResidual(case, nQuarter):
-    """Of the balance of momentum at the end of a run, in x and in y, over the
-    impulse of gravity. Velocities of leapfrog are half a step behind the
-    time."""
+    """Residual of the momentum balance at the end of a run, in x and in y,
+    relative to the impulse of gravity. Velocities of the leapfrog are half a
+    step behind the time."""
     momentum = readResults.table(case, "solidEnergies", "momentum.dat")
     times, _, impulse, _ = box(case)
     state = Path(case)/f"{times[-1]:.10g}"/"uniform"/"solidSystem"

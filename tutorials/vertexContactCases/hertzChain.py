@@ -1,7 +1,8 @@
 """A row of equal spheres with gaps as point masses, and the same quantities of
 a run. Between neighbours acts the force of Hertz, K d^(3/2) at the approach d
-(Herrmann and Schmaelzle, Am. J. Phys. 49 (1981) 761), with or without what is
-of first order in the radius of the contact over that of the sphere."""
+(Herrmann and Schmaelzle, Am. J. Phys. 49 (1981) 761), with or without the
+terms of first order in the ratio of the contact radius to the sphere
+radius."""
 
 from math import pi, sqrt
 
@@ -11,29 +12,29 @@ from vertexContactCases import readResults
 
 SPHERES = 5
 RADIUS = 0.01       # m
-SPEED = 0.1         # of the first [m/s]
+SPEED = 0.1         # velocity of the first sphere [m/s]
 RHO = 1000          # kg/m3
 E = 1e6             # Pa
 NU = 0.4
-GAP = 5e-6          # unless Allrun was told another one [m]
+GAP = 5e-6          # unless Allrun has another value [m]
 
 MASS = 4/3*pi*RADIUS**3*RHO
 # Two equal spheres: half of the modulus, half of the radius
 STIFFNESS = 4/3*E/(2*(1 - NU**2))*sqrt(RADIUS/2)
-# Of two spheres alone
+# For two spheres alone
 APPROACH = (5*MASS*SPEED**2/(8*STIFFNESS))**0.4
 FORCE = STIFFNESS*APPROACH**1.5
 DURATION = 2.9432752*APPROACH/SPEED
 
 
 def compliances(a=0.1*RADIUS, terms=20000):
-    """How far a unit load on one end of a sphere moves this end, beyond Hertz,
-    and the opposite end towards the centre of mass [m/N]. Series of Legendre
-    for a sphere that its inertia holds, with Hertz's pressure on the radius a,
-    less the half space. Between 0.05 and 0.15 radii a changes the former by
-    5 % and the latter by 1 %."""
+    """Displacements by a unit load on one end of a sphere, in addition to
+    Hertz [m/N]: of this end, and of the opposite end towards the centre of
+    mass. Series of Legendre for a sphere that its inertia holds, with Hertz's
+    pressure on the radius a, minus the half space. Between 0.05 and 0.15
+    radii, a changes the former by 5 % and the latter by 1 %."""
     n = np.arange(terms + 1.0)
-    n[1] = np.nan       # the whole sphere is accelerated
+    n[1] = np.nan       # The whole sphere is accelerated
     g = ((4*(1 - NU)*n**2 + 2*NU*n - 2 + 4*NU)
          / (2*(n - 1)*(n**2 + n + 1 + NU*(2*n + 1))))
     s = (n + 0.5)*a/RADIUS
@@ -56,11 +57,12 @@ def chain(end, gap=GAP, finite=False, spheres=SPHERES, speed=SPEED,
     dt = end/steps
     x, v = np.zeros((2, spheres))
     v[0] = speed
-    # Of the contacts, between zeros
+    # Forces of the contacts, between two zeros
     F = np.zeros(spheres + 1)
 
     def solve():
-        """Forces for displacements, from those of the step before."""
+        """Forces at given displacements, from the forces of the previous
+        step."""
         for _ in range(100):
             old = F.copy()
             local = (x[:-1] - x[1:] - gap - 2*own*F[1:-1]
@@ -83,16 +85,16 @@ def chain(end, gap=GAP, finite=False, spheres=SPHERES, speed=SPEED,
 
 
 def velocities(case):
-    """Times, and velocities of the centres of mass / that of the first at the
-    start, of a run; the masses are equal."""
+    """Times, and velocities of the centres of mass relative to that of the
+    first sphere at the start, from a run; the masses are equal."""
     data = readResults.table(case, "solidEnergies", "momentum.dat")
     p = np.array([data[f"sphere{i}:px"] for i in range(1, SPHERES + 1)]).T
     return data["Time"], p/p[0, 0]
 
 
 def contactForces(case):
-    """{i: (times, forces)} of the contacts between the spheres i and i + 1, of
-    a run; the model is a quarter."""
+    """{i: (times, forces)} of the contacts between the spheres i and i + 1,
+    from a run; the model is a quarter."""
     data = readResults.table(case, "contactForces", "all.dat")
     first = np.minimum(*(
         [int(side.split(".")[0][len("sphere"):]) for side in data[name]]

@@ -1,16 +1,15 @@
 """Quasi-static impact of an elastic sphere on a rigid plane, frictionless
-(Hertz; Johnson, Contact Mechanics, Sections 4.2 and 11.4): the force is
-K delta^(3/2) at the approach delta, and nothing vibrates.
+(Hertz; Johnson, Contact Mechanics, Sections 4.2 and 11.4): the force is K
+delta^(3/2) at the approach delta, and nothing vibrates.
 
-Two equal spheres that fly at each other do the same, each of them.
-"""
+Each of two equal spheres that fly at each other behaves in the same way."""
 
 from math import pi, sqrt
 
 import numpy as np
 
 RADIUS = 0.01       # m
-GAP = 1e-4          # to the plane [m]
+GAP = 1e-4          # gap to the plane [m]
 SPEED = 0.2         # m/s
 RHO = 1000          # kg/m3
 E = 1e6             # Pa
@@ -30,14 +29,14 @@ def contactRadius(force):
 
 
 def pressure(r, force):
-    """At distances r from the axis."""
+    """Pressure at distances r from the axis."""
     a = contactRadius(force)
     peak = 3*force/(2*pi*a**2)
     return peak*np.sqrt(np.maximum(1 - (np.asarray(r)/a)**2, 0))
 
 
 def history(steps=2000):
-    """Times from the first contact on, and the force, until the release."""
+    """Times since the first contact, and the force, until the release."""
     def rate(state):
         delta, speed = state
         return np.array((speed, -STIFFNESS*max(delta, 0)**1.5/MASS))

@@ -11,13 +11,13 @@ HUB = 70e9, 0.33
 
 
 def planeStrain(E, nu):
-    """Constants with which plane stress becomes plane strain."""
+    """Constants with which the formulas of plane stress give plane strain."""
     return E/(1 - nu**2), nu/(1 - nu)
 
 
 def compliances():
-    """Growth of the radii of the hub and shrinkage of that of the shaft, by
-    the pressure [m/Pa]."""
+    """Growth of the radius of the hub and shrinkage of that of the shaft, per
+    pressure [m/Pa]."""
     E, nu = planeStrain(*HUB)
     hub = B/E*((C**2 + B**2)/(C**2 - B**2) + nu)
     E, nu = planeStrain(*SHAFT)
@@ -29,7 +29,7 @@ BORE_GROWTH = PRESSURE*compliances()[0]         # of the hub [m]
 
 
 def stresses(r):
-    """Radial and hoop stress at radii [Pa]; at the fit those of the hub."""
+    """Radial and hoop stress at radii [Pa]; at the fit, those of the hub."""
     r = np.asarray(r, dtype=float)
     hub = PRESSURE*B**2/(C**2 - B**2)
     shaft = -PRESSURE*B**2/(B**2 - A**2)

@@ -1,6 +1,6 @@
-"""What a block of a metal that does not harden can bear under a flat stamp, in
-plane strain: the pressure (2 + pi) k, with k the yield stress in shear
-(L. Prandtl, Nachr. Ges. Wiss. Goettingen (1920) 74-85)."""
+"""The limit load of a block of non-hardening metal under a flat stamp, in
+plane strain: the pressure (2 + pi) k, with k the yield stress in shear (L.
+Prandtl, Nachr. Ges. Wiss. Goettingen (1920) 74-85)."""
 
 import numpy as np
 
@@ -15,5 +15,5 @@ FORCES = 0, 3.09e6, 3.09e6, 0
 
 
 def force(time):
-    """On the stamp, downwards [N/m]."""
+    """Force on the stamp, downwards [N/m]."""
     return np.interp(time, TIMES, FORCES)

@@ -17,20 +17,21 @@ SOURCES = {"Yastrebov": "Yastrebov 2011", "CodeAster": "Code_Aster",
            "HartmannOliver": "Hartmann, Oliver et al. 2009",
            "PouliosRenard": "Poulios, Renard 2015"}
 
-# Force along over the force downwards, half of the way along (5 mm), as the
-# authors print it; those of two more have no curves here
+# Ratio of the horizontal to the vertical force half of the way along (5 mm),
+# as the authors print it; two more authors have no curves here
 RATIOS = {"PouliosRenard": 0.30, "Batistic": 0.32, "Houssein": 0.32,
           "CodeAster": 0.34, "HartmannOliver": 0.38, "Yastrebov": 0.47,
           "FischerWriggers": 0.53}
 
 
 def sources():
-    """Columns down, along, and Source:H, Source:V."""
+    """The published table, with columns down, along, and Source:H,
+    Source:V."""
     return readResults.csv(FILE)
 
 
 def forces(case):
-    """The same of a run: down, along, H, V."""
+    """The same from a run: down, along, H, V."""
     contact = readResults.table(case, "contactForces", "ironing.dat")
     times, D = readResults.probe(case, "top", "pointD")
     along, up = (np.interp(contact["Time"], times, D[:, i])/1e-3
@@ -40,7 +41,8 @@ def forces(case):
 
 
 def at(run, down, along, within=0.02):
-    """Means of H and V over displacements of a run, of forces()."""
+    """Means of H and V over a range of displacements in the result of
+    forces()."""
     d, a, H, V = run
     near = (np.abs(d - down) < within) & (np.abs(a - along) < within)
     return H[near].mean(), V[near].mean()

@@ -24,7 +24,8 @@ class Reader:
 
     @property
     def regions(self):
-        """Names of the regions; one without a name is ''."""
+        """Names of the regions; the name of a single region without a name is
+        ''."""
         return [name.rpartition("/")[0].strip("/")
                 for name in self.vtk.patch_array_names
                 if name.endswith("internalMesh")]
@@ -36,12 +37,12 @@ class Reader:
                    for name in self.vtk.patch_array_names)
 
     def near(self, times):
-        """Those of the times that have been written, as they are called."""
+        """Those of the times that are written, with their written names."""
         return [written for written in self.times
                 if any(isclose(written, t, rel_tol=1e-6) for t in times)]
 
     def read(self, time, part="internalMesh", fields=None):
-        """{region: data set} at a written time, of the internalMesh or of a
+        """{region: data set} at a written time, for the internalMesh, or for a
         patch in all regions that have it, with all or some point fields."""
         vtk = self.vtk
         vtk.disable_all_patch_arrays()
@@ -65,7 +66,8 @@ class Reader:
 
 
 def deformed(body):
-    """A data set where it is now; pointD is 0 as long as none is written."""
+    """A data set at its current position; pointD is 0 if no pointD is
+    written."""
     if "pointD" not in body.point_data:
         return body.copy()
     moved = body.copy()

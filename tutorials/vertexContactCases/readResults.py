@@ -8,7 +8,7 @@ _BRACKETS = str.maketrans("()", "  ")
 
 
 def _segments(case, functionObject, name):
-    """Files of that name in the folders of all start times, in order."""
+    """Files with this name in the folders of all start times, in order."""
     folder = Path(case)/"postProcessing"/functionObject
     files = sorted(folder.glob(f"*/{name}"), key=lambda f: float(f.parent.name))
     if not files:
@@ -24,8 +24,8 @@ def _value(token):
 
 
 def _read(file):
-    """Header lines, and the numbers as an array with a row for each line; of
-    objects if there are names among them."""
+    """Header lines, and the numbers as an array with a row for each line. The
+    array has objects if there are names in the file."""
     header, rows = [], []
     with open(file) as lines:
         for line in lines:
@@ -42,8 +42,8 @@ def _read(file):
 
 
 def _joined(files):
-    """Segments one after the other; where a run was repeated from an earlier
-    time on, the later segment counts."""
+    """Segments one after the other. If a run was repeated from an earlier
+    time, the later segment counts."""
     data = None
     for file in files:
         header, rows = _read(file)
@@ -58,9 +58,9 @@ def _joined(files):
 
 
 def table(case, functionObject, name):
-    """Columns of a table as a dictionary, keys without units: 'Time',
-    'bar1:kinetic' ... Those of names, as 'minus' and 'plus' where each pair of
-    surfaces has rows of its own, are strings."""
+    """Columns of a table as a dictionary with keys without units, such as
+    'Time' or 'bar1:kinetic'. Columns of names, such as 'minus' and 'plus' if
+    each pair of surfaces has rows of its own, are strings."""
     header, data = _joined(_segments(case, functionObject, name))
     keys = [key.split("[")[0] for key in header[-1].lstrip("#").split()]
     if len(keys) != data.shape[1]:
@@ -79,7 +79,7 @@ def probe(case, functionObject, field, point=0):
 
 
 def csv(file):
-    """Columns of a table with commas, as a dictionary; '#' starts a comment,
+    """Columns of a table with commas, as a dictionary. '#' starts a comment;
     the first other line has the names."""
     with open(file) as lines:
         rows = [line.strip() for line in lines

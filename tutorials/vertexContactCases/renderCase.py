@@ -36,7 +36,7 @@ VIEWS = {"oblique": drawSolids.VIEW,
 
 
 def prefixed(value, unit):
-    """(name, value) of the unit that suits a value: ("kPa", 1e3)."""
+    """(name, factor) of the unit that suits a value: ("kPa", 1e3)."""
     power = 0
     if unit in ("Pa", "m", "m/s", "s") and value > 0:
         power = min(max(3*floor(log10(value*1.001)/3), -6), 9)
@@ -44,7 +44,7 @@ def prefixed(value, unit):
 
 
 def chosenField(reader, name=None, component=None):
-    """The field of that name, by default the plastic strain or the pressure,
+    """The field with this name; by default the plastic strain or the pressure,
     in SI units."""
     names = reader.vtk.point_array_names
     if name is None:
@@ -65,14 +65,14 @@ def inUnit(field, limit):
 
 
 def frontOfPlane(body):
-    """The side of a plane body that is seen."""
+    """The visible side of a plane body."""
     z = body.cell_centers().points[:, 2]
     return body.extract_cells(z > z.max() - 0.25*np.ptp(z)).extract_surface(
         algorithm="dataset_surface")
 
 
 def reflected(bodies, axis):
-    """Surfaces, and what mirrors at 0 of an axis show of them."""
+    """Surfaces, and their mirror images at 0 of an axis."""
     return [part for body in bodies for part in (
         body, body.reflect(np.eye(3)[axis], point=(0, 0, 0)))]
 
@@ -143,7 +143,7 @@ class Scene:
                 "outlines": False}
 
     def draw(self, file, columns=None, width=6.4, dpi=100, **more):
-        """Panels of all times; more arguments are those of
+        """Panels of all times. Other arguments are those of
         drawFields.draw."""
         if columns is None:
             xMin, xMax, yMin, yMax = drawFields.box(self.frames)
@@ -179,10 +179,10 @@ def main():
     options = parser.parse_args()
     case = Path(options.case)
     if not (case/"system"/"controlDict").is_file():
-        raise SystemExit(f"{case} is no case: it has no system/controlDict")
+        raise SystemExit(f"{case} is not a case: it has no system/controlDict")
     reader = Reader(case, options.decomposed)
     if not reader.times:
-        raise SystemExit(f"{case} has no times")
+        raise SystemExit(f"{case} has no written times")
     file = options.output or case/"render.png"
     Scene(case, options.field, options.times, VIEWS.get(options.view),
           options.component, decomposed=options.decomposed

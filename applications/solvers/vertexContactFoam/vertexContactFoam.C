@@ -63,13 +63,13 @@ int main(int argc, char *argv[])
     (
         "Explicit large-strain contact dynamics of deformable bodies.\n"
         "Reads system/controlDict, constant/regionProperties, "
-        "constant/contactProperties, constant/g, and of each region "
+        "constant/contactProperties and constant/g. For each region it reads "
         "constant/<region>/polyMesh, mechanicalProperties and bodyForces, "
-        "system/<region>/fvSchemes and 0/<region>/pointU, or instead of the "
-        "last four constant/solidProperties and bodyForces, system/fvSchemes "
-        "and 0/pointU.\n"
-        "The options -list... say what may be written there; "
-        "tutorials/reference and the headers of the classes say more."
+        "system/<region>/fvSchemes and 0/<region>/pointU. Regions can share "
+        "files instead of the last four: constant/solidProperties and "
+        "bodyForces, system/fvSchemes and 0/pointU.\n"
+        "The options -list... print the keywords of these files; "
+        "tutorials/reference and the headers of the classes explain them."
     );
     argList::addBoolOption
     (
@@ -80,8 +80,8 @@ int main(int argc, char *argv[])
     argList::addBoolOption
     (
         "profile",
-        "End the log with the times of the passes of a step, and their share "
-        "of the bandwidth of the memory"
+        "End the log with the time of each pass of a step, and with the share "
+        "of the memory bandwidth that the steps use"
     );
     modelLists::addOptions();
 

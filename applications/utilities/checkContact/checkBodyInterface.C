@@ -484,8 +484,8 @@ void Foam::checkInterface
         }
         Info<< "    (1) about " << middle << "; relative to the extent "
             << extent << " m" << nl
-            << "    (2) tangential part; by its change over a mean face width "
-            << width << " m" << nl;
+            << "    (2) tangential part; relative to the change of the field "
+            << "over a mean face width " << width << " m" << nl;
     }
 
     // The checks. Each comparison also fails for a value that is not a number
@@ -517,7 +517,7 @@ void Foam::checkInterface
     report.check
     (
         constantError <= contactLimits::maxTransferError,
-        "A constant field is not transferred: error "
+        "A constant field is not transferred exactly: error "
       + table::text(constantError)
     );
     const scalar forceDefect =
@@ -537,12 +537,13 @@ void Foam::checkInterface
     report.check
     (
         offset <= contactLimits::maxOffset,
-        "Points that are paired are " + table::text(offset)
+        "Paired points are " + table::text(offset)
       + " face widths apart along the surface"
       + (
             contact.moves()
           ? "" : ": the bodies have slid, or the surfaces do not fit when "
-            "the gap is closed; 'pairing nearestFace' follows"
+            "the gap is closed. 'pairing nearestFace' pairs sliding bodies "
+            "again"
         )
     );
 }

@@ -103,7 +103,7 @@ int main(int argc, char *argv[])
     (
         "maxPenetration",
         "fraction",
-        "Largest penetration, by the width of the faces (default: 0.05)"
+        "Largest penetration, in face widths (default: 0.05)"
     );
     argList::addBoolOption
     (
@@ -185,8 +185,8 @@ int main(int argc, char *argv[])
 
         if (nApart)
         {
-            Info<< "Nothing is opposite anything in " << nApart
-                << " more pairs that are near." << nl << endl;
+            Info<< nApart << " more pairs of surfaces are near each other, "
+                << "but none of their faces are opposite." << nl << endl;
         }
         if (solids.interfaces().empty())
         {

@@ -127,7 +127,7 @@ void Foam::checkInterface
     (
         2*nBehind <= nHit && (nFacing > 0 || nTurned == 0),
         "The normals of the obstacle point away from " + report.side(0)
-      + ": they have to point to the body"
+      + ": they must point towards the body"
     );
     report.check
     (

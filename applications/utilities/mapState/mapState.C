@@ -161,8 +161,9 @@ fileName sharedFile(const word& name, const polyMesh& mesh)
 void refuse(const fileName& file, const char* why)
 {
     FatalFileErrorInFunction(file)
-        << "The file is there, but " << why << ": it would begin with two "
-        << "states mixed. Remove it, or set 'startTime' to a time without"
+        << "This file exists, but " << why << ". The run would start with a "
+        << "mixture of two states. Remove the file, or set 'startTime' to a "
+        << "time without it"
         << exit(FatalIOError);
 }
 
@@ -350,14 +351,15 @@ int main(int argc, char *argv[])
 {
     argList::addNote
     (
-        "Gives the case the state of another case of the same bodies, on any "
-        "mesh"
+        "Gives this case the state of another case with the same bodies; the "
+        "meshes may differ"
     );
     argList::noFunctionObjects();
     argList::addArgument("case");
     argList::addOption
     (
-        "sourceTime", "time", "time of the other case, the last one by default"
+        "sourceTime", "time",
+        "time of the other case (default: its last time)"
     );
 
     #include "setRootCase.H"
@@ -382,8 +384,8 @@ int main(int argc, char *argv[])
     )
     {
         FatalFileErrorInFunction(sourcePath)
-            << "Option '-sourceTime' is " << wanted << ": the case has no such "
-            << "time" << exit(FatalIOError);
+            << "Option '-sourceTime' is " << wanted << ": the other case has "
+            << "no such time" << exit(FatalIOError);
     }
     sourceTime.setTime(times[timei], timei);
     {
@@ -392,23 +394,27 @@ int main(int argc, char *argv[])
         if (!args.found("sourceTime") && latest > times[timei].value())
         {
             FatalFileErrorInFunction(sourcePath)
-                << "The last time is " << sourceTime.timeName()
-                << ", but processors have the later time " << latest
-                << ". Use reconstructPar, or '-sourceTime'"
+                << "The last time of the other case is "
+                << sourceTime.timeName()
+                << ", but its processor folders have the later time " << latest
+                << ". Use reconstructPar, or select a time by '-sourceTime'"
                 << exit(FatalIOError);
         }
         if (writtenTimes::incomplete(sourcePath/sourceTime.timeName()))
         {
             FatalFileErrorInFunction(sourcePath/sourceTime.timeName())
-                << "The time is not complete (was the run killed, or the disk "
-                << "full?). Use '-sourceTime' for an earlier one"
+                << "This time is not complete (was the run killed, or the disk "
+                << "full?). Select an earlier time by '-sourceTime'"
                 << exit(FatalIOError);
         }
     }
     const fileName start(runTime.path()/runTime.timeName());
     if (has("solidSystem", runTime, "uniform"))
     {
-        refuse(start/"uniform"/"solidSystem", "this case has run to here");
+        refuse
+        (
+            start/"uniform"/"solidSystem", "this case has run to this time"
+        );
     }
 
     // Meshes of the regions that both cases have. Check everything before
@@ -494,7 +500,8 @@ int main(int argc, char *argv[])
         if (!moves)
         {
             FatalFileErrorInFunction(sourceFile)
-                << "There is no pointU" << exit(FatalIOError);
+                << "The other case has no field pointU at this time"
+                << exit(FatalIOError);
         }
         for (const word& field : missing)
         {
@@ -502,15 +509,15 @@ int main(int argc, char *argv[])
             refuse
             (
                 start/name/field,
-                field == "lm" ? "this case has run to here"
-              : "the other case has none"
+                field == "lm" ? "this case has run to this time"
+              : "the other case has no such field"
             );
         }
         if (instead.size() && has(instead, targets[i]))
         {
             refuse
             (
-                start/name/instead, "elasticStrain is mapped in place of it"
+                start/name/instead, "elasticStrain is mapped instead of it"
             );
         }
     }
@@ -577,7 +584,7 @@ int main(int argc, char *argv[])
             << source.nPoints() << " to " << n.first() << " points";
         if (n.second())
         {
-            Info<< ", " << n.second() << " of them outside, by up to "
+            Info<< ", " << n.second() << " of them outside its mesh, by up to "
                 << furthest << " m";
         }
         Info<< nl;
@@ -585,8 +592,8 @@ int main(int argc, char *argv[])
     if (!nMapped)
     {
         FatalFileErrorInFunction(sourcePath)
-            << "The case has none of the regions "
-            << dictionaryCheck::listed(names).c_str() << ". It has "
+            << "The other case has none of the regions "
+            << dictionaryCheck::listed(names).c_str() << ". Its regions: "
             << dictionaryCheck::listed(sourceNames).c_str()
             << exit(FatalIOError);
     }

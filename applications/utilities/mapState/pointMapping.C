@@ -112,8 +112,9 @@ Foam::pointMapping::pointMapping
         {
             FatalFileErrorInFunction(sourceFile)
                 << "Point " << target[i] << " of the case is " << off
-                << " m from this mesh, more than its nearest cell is long: "
-                << "both must be of the same body, in the same place"
+                << " m from this mesh, more than the length of the nearest "
+                << "cell: both meshes must be of the same body, in the same "
+                << "place"
                 << exit(FatalIOError);
         }
         // Apart from round-off

@@ -125,8 +125,8 @@ int main(int argc, char *argv[])
 {
     argList::addNote
     (
-        "Gives each region as a whole to one rank, for decomposePar with "
-        "method manual"
+        "Assigns each region as a whole to one rank, for decomposePar with "
+        "'method manual'"
     );
     argList::noParallel();
     argList::noFunctionObjects();
@@ -146,8 +146,9 @@ int main(int argc, char *argv[])
     if (method != "manual")
     {
         FatalIOErrorInFunction(control)
-            << "Keyword 'method' is " << method << ": decomposePar reads what "
-            << "placeRegions writes with (manual)" << exit(FatalIOError);
+            << "Keyword 'method' is " << method << ": it must be manual, with "
+            << "which decomposePar reads the file that placeRegions writes"
+            << exit(FatalIOError);
     }
     const fileName file
     (
@@ -192,8 +193,8 @@ int main(int argc, char *argv[])
     if (cmptProduct(n) != nRanks || cmptMin(n) < 1)
     {
         FatalIOErrorInFunction(coeffs)
-            << "Keyword 'n' is " << n << ": as many ranks as "
-            << "numberOfSubdomains, " << nRanks << ", in positive numbers"
+            << "Keyword 'n' is " << n << ": it must be three positive numbers "
+            << "whose product is numberOfSubdomains, " << nRanks
             << exit(FatalIOError);
     }
     labelList ranks(names.size(), Zero);

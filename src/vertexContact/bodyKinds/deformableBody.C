@@ -93,10 +93,11 @@ void Foam::deformableBody::refusePlasticState() const
         )
         {
             FatalFileErrorInFunction(file)
-                << "The field " << name << ", of a metal that flows, does not "
-                << "go with type " << material_->type() << " of region '"
+                << "The field " << name << " is for metal that can yield, and "
+                << "does not work with type " << material_->type()
+                << " of region '"
                 << name_ << "'." << nl
-                << "Remove it, or give a stretch by the field F0"
+                << "Remove the field, or give a stretch by the field F0"
                 << exit(FatalIOError);
         }
     }
@@ -131,8 +132,8 @@ Foam::symmTensor Foam::deformableBody::plasticPart
     {
         FatalFileErrorInFunction(file)
             << "Keyword 'internalField': elasticStrain is " << strain << " at "
-            << meshPoint(node) << ": directions that are left out must not be "
-            << "sheared, and two of them must have the same stretch"
+            << meshPoint(node) << ": directions that the mesh leaves out must "
+            << "not be sheared, and in 1D both must have the same stretch"
             << exit(FatalIOError);
     }
     tensor F(deformationGradient(node));
@@ -168,8 +169,9 @@ void Foam::deformableBody::readPlasticState(const bool undeformed)
     if (C.valid() && elastic.valid())
     {
         FatalFileErrorInFunction(elasticFile)
-            << "Field 'elasticStrain': there is CpInv, too, and either makes "
-            << "the other. Give one of them" << exit(FatalIOError);
+            << "Field 'elasticStrain': the field CpInv is there, too, but each "
+            << "of them determines the other. Give only one of them"
+            << exit(FatalIOError);
     }
     const auto strain = readIfPresent<scalar>("epsilonPEq", dimless);
     if (material_->initialTemperature() > 0)
@@ -183,7 +185,7 @@ void Foam::deformableBody::readPlasticState(const bool undeformed)
             {
                 FatalFileErrorInFunction(file)
                     << "Keyword 'internalField': a temperature is "
-                    << s.temperature[a] << " K, it must be positive"
+                    << s.temperature[a] << " K: it must be positive"
                     << exit(FatalIOError);
             }
         }
@@ -217,7 +219,7 @@ void Foam::deformableBody::readPlasticState(const bool undeformed)
                     << mesh_.points()[point[a]] << ", with the determinant "
                     << det(given) << ": it must be positive definite, with the "
                     << "determinant 1." << nl
-                    << "Give changes of the volume by the field F0"
+                    << "Give a change of volume by the field F0"
                     << exit(FatalIOError);
             }
             store(a, given);
@@ -251,8 +253,9 @@ void Foam::deformableBody::readPlasticState(const bool undeformed)
         if (!(s.hourglassShare[a] >= 0 && s.hourglassShare[a] <= 1))
         {
             FatalFileErrorInFunction(shareFile)
-                << "Keyword 'internalField': a share is " << s.hourglassShare[a]
-                << ", it must be from 0 to 1" << exit(FatalIOError);
+                << "Keyword 'internalField': hourglassShare is "
+                << s.hourglassShare[a] << ": it must be from 0 to 1"
+                << exit(FatalIOError);
         }
     }
 
@@ -277,17 +280,17 @@ void Foam::deformableBody::readPlasticState(const bool undeformed)
         }
         FatalFileErrorInFunction(file)
             << "Keyword 'internalField': the stress at the start is beyond the "
-            << "yield stress: that of von Mises (Kirchhoff) is "
+            << "yield stress. The von Mises stress (Kirchhoff) is "
             << stress.first() << " Pa at " << mesh_.points()[point[a]]
-            << ", at most " << stress.second() << " Pa are valid." << nl
-            << "Give less of "
+            << ", and at most " << stress.second() << " Pa is valid." << nl
+            << "Reduce "
             <<
             (
                 elastic.valid() ? "elasticStrain"
               : stretched ? "the stretch F0"
               : "CpInv - I"
             )
-            << ", or earlier flow by the field epsilonPEq"
+            << ", or give earlier plastic flow by the field epsilonPEq"
             << exit(FatalIOError);
     }
 }

@@ -49,14 +49,15 @@ void Foam::rigidRegion::makeRigid()
     if (!data_.variational)
     {
         FatalIOErrorInFunction(dict)
-            << "Keyword 'type' is rigid, which does not go with preset paper"
+            << "Keyword 'type' is rigid, which does not work with preset paper"
             << exit(FatalIOError);
     }
     if (regionFiles::bodyForces(mesh_).size())
     {
         FatalIOErrorInFunction(dict)
             << "Keyword 'type' is rigid, but the region has bodyForces. Use "
-            << "'force' here instead" << exit(FatalIOError);
+            << "the keyword 'force' of this file instead"
+            << exit(FatalIOError);
     }
     for (const dualPatch& patch : dual_.patches())
     {
@@ -362,9 +363,10 @@ void Foam::rigidRegion::checkStart(const scalar time)
         const dictionary dict(regionFiles::material(mesh_));
         FatalIOErrorInFunction(dict)
             << "Keyword 'motion' of the rigid region '" << name_ << "': at the "
-            << "start, time " << time << " s, the body is elsewhere (pointD): "
-            << "it would jump by " << most << " of the size of its cells, "
-            << largestJump << " are allowed" << exit(FatalIOError);
+            << "start, time " << time << " s, pointD gives the body another "
+            << "position. It would jump by " << most << " of its cell size, "
+            << "and at most " << largestJump << " is allowed"
+            << exit(FatalIOError);
     }
 }
 
@@ -376,9 +378,10 @@ void Foam::rigidRegion::readRigid(const dictionary& record)
     {
         const rigidBody::motionState v(rigid_->motion(0));
         WarningInFunction
-            << "Region " << name_ << ": the velocity at the start (pointU) is "
-            << "not one that this rigid body may have. It begins with "
-            << v.velocity << " m/s and " << v.spin << " 1/s" << endl;
+            << "Region " << name_ << ": this rigid body cannot move with the "
+            << "velocities of pointU. It starts with the velocity "
+            << v.velocity << " m/s and the angular velocity " << v.spin
+            << " 1/s" << endl;
     }
     placeAll();
 }

@@ -166,7 +166,7 @@ Foam::scalar Foam::dictionaryCheck::readNumber
     {
         FatalIOErrorInFunction(dict)
             << "Keyword '" << keyword << "' is " << number
-            << ", which is too large in units of metres, kilograms and seconds"
+            << ", which is too large; the units are m, kg, s and K"
             << exit(FatalIOError);
     }
 
@@ -200,7 +200,7 @@ Foam::dictionary Foam::dictionaryCheck::defaultOf
         }
     }
     FatalErrorInFunction
-        << "Keyword '" << keyword << "' is not described"
+        << "Keyword '" << keyword << "' is not in keywords()"
         << abort(FatalError);
     return dictionary();
 }
@@ -249,7 +249,7 @@ void Foam::dictionaryCheck::warnLeftOut
     {
         WarningInFunction
             << where.c_str() << ": keyword '" << keyword << "' is " << given
-            << ", of which the mesh solves " << used << " only" << endl;
+            << ", but the mesh solves only " << used << " of it" << endl;
     }
 }
 

@@ -110,8 +110,8 @@ void Foam::dryRun(solidSystem& solids, Time& runTime, OSstream& os)
     os  << "Dry run: nothing is written" << nl << nl;
     if (!goesOn())
     {
-        os  << "Steps: none, time is " << runTime.value()
-            << " s and endTime " << end << " s" << nl << endl;
+        os  << "Steps: none, because the time is " << runTime.value()
+            << " s and endTime is " << end << " s" << nl << endl;
         os.precision(precision);
         return;
     }
@@ -158,10 +158,10 @@ void Foam::dryRun(solidSystem& solids, Time& runTime, OSstream& os)
         << " nodes, " << std::int64_t(bytes/nodes + 0.5)
         << " bytes per node; " << resident/MB << " MB at most for "
         << (Pstream::parRun() ? "all processes" : "the process") << nl
-        << "Step: " << deltaT << " s at the start, stable are " << stable
-        << " s times maxCo" << nl
+        << "Step: " << deltaT << " s at the start, stable step is " << stable
+        << " s (at Co 1)" << nl
         << "Steps: " << std::int64_t(steps) << " to time " << end
-        << " s with that step" << nl;
+        << " s with this step" << nl;
 
     if (solids.bodies().size() > 1) solids.reportSteps(os);
 
@@ -181,11 +181,11 @@ void Foam::dryRun(solidSystem& solids, Time& runTime, OSstream& os)
         if (adjusts && more > worthTelling)
         {
             os  << "    " << readingSeconds + steps*(1 + more)*perStep
-                << " s if the stable step goes on falling: by "
+                << " s if the stable step goes on falling as in the trial: by "
                 << 100*(1 - solids.timeStepLimit()/stable)
-                << " % in the trial" << nl;
+                << " %" << nl;
         }
-        os  << "    without the time to write";
+        os  << "    not included: the time to write";
         if (solids.control().fittedInterval() < GREAT)
         {
             os  << ' '
@@ -199,16 +199,16 @@ void Foam::dryRun(solidSystem& solids, Time& runTime, OSstream& os)
                    )
                 << " times";
         }
-        os  << ", and what costs more later: contact, plastic flow" << nl;
+        os  << ", and later costs of contact and plastic flow" << nl;
     }
     else
     {
-        os  << "Run time: that of reading, " << readingSeconds
-            << " s, and of one step" << nl;
+        os  << "Run time: " << readingSeconds << " s to read, and one step"
+            << nl;
     }
     if (others.size())
     {
-        os  << "Not tried: function objects "
+        os  << "Not used in the trial: function objects "
             << dictionaryCheck::listed(others).c_str() << nl;
     }
     os  << endl;

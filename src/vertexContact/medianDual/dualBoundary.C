@@ -259,8 +259,8 @@ static label facePoints
     FatalFileErrorInFunction(meshFile(mesh))
         << "Region " << mesh.name() << ": a face of patch " << patch.name()
         << " at " << f.centre(mesh.points()) << nl
-        << "    lies in the plane that empty patches take out of this "
-        << nodes.nDim << "D mesh: the patch should be empty."
+        << "    is normal to a direction that this " << nodes.nDim
+        << "D mesh leaves out: the patch should be empty."
         << exit(FatalIOError);
 
     return 0;

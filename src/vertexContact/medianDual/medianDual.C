@@ -270,8 +270,8 @@ Foam::medianDual::medianDual(const polyMesh& mesh, const cellTreatment cells)
                 << mesh.points()[nodes.nodePoint[node]]
                 << " has a dual cell of volume " << nodeVolume_[node] << '.'
                 << nl
-                << "    Either no cell uses it, or the cells around it are"
-                << " badly distorted."
+                << "    Either no cell uses the point, or the cells around it"
+                << " are badly distorted."
                 << exit(FatalIOError);
         }
     }
@@ -310,7 +310,8 @@ Foam::medianDual::medianDual(const polyMesh& mesh, const cellTreatment cells)
                         << nodes.nodePoint[a] << " and " << nodes.nodePoint[b]
                         << " of a cell are both at "
                         << mesh.points()[nodes.nodePoint[a]]
-                        << ": an edge has no length" << exit(FatalIOError);
+                        << ": the edge between them has no length"
+                        << exit(FatalIOError);
                 }
                 edgeNodes.append(a);
                 edgeNodes.append(b);

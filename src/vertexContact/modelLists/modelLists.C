@@ -79,7 +79,7 @@ void listMaterials(Ostream& os)
 {
     writeKeywords
     (
-        os, "all but rigid, with one of (E nu), (mu lambda), (mu kappa)",
+        os, "all but rigid; give one of (E nu), (mu lambda), (mu kappa)",
         materialModel::commonKeywords()
     );
     writeModels<materialModel>(os);
@@ -111,12 +111,12 @@ void listPairings(Ostream& os)
     writeModels<contactPairing>(os);
     writeKeywords
     (
-        os, "an interface of many surfaces instead",
+        os, "instead of two sides: an interface of many surfaces",
         generalInterface::keywords()
     );
     writeKeywords
     (
-        os, "an interface with an obstacle instead",
+        os, "instead of two sides: an interface with an obstacle",
         obstacleInterface::keywords()
     );
     writeKeywords
@@ -145,7 +145,7 @@ void listBoundaryConditions(Ostream& os)
     writeModels(os, keywordsOf.sortedToc(), keywordsOf);
     writeNames
     (
-        os, "of OpenFOAM, as mirrors or for directions that are left out",
+        os, "of OpenFOAM: mirrors, and empty for directions that are left out",
         solidBoundaryCondition::mirrorNames()
     );
 }
@@ -207,9 +207,9 @@ void listIntegrators(Ostream& os)
     for (const word& name : timeIntegrator::names.toc())
     {
         const timeIntegrator integrator(timeIntegrator::names[name]);
-        os  << name << nl << "    fluxes are evaluated "
+        os  << name << nl << "    evaluates fluxes "
             << integrator.nStages()
-            << (integrator.nStages() > 1 ? " times" : " time") << " a step"
+            << (integrator.nStages() > 1 ? " times" : " time") << " per step"
             << (
                    integrator.leapfrog() ? "; for the variational scheme"
                : integrator.split()
@@ -219,7 +219,7 @@ void listIntegrators(Ostream& os)
             << nl;
     }
     os  << nl;
-    writeKeywords(os, "leapfrog", stepRatios::keywords());
+    writeKeywords(os, "with leapfrog", stepRatios::keywords());
 }
 
 
@@ -251,9 +251,9 @@ const listOption options[] =
     },
     {
         "listStartFields",
-        "List fields that a run may begin with",
-        "Start fields: point fields in <time>/<region>, or with one value in "
-        "<time>, and their types; pointU is required",
+        "List fields that a run may start with, and their units and types",
+        "Start fields: point fields in <time>/<region>, or in <time> with one "
+        "value for all regions; pointU is required",
         listStartFields
     },
     {
@@ -286,20 +286,21 @@ const listOption options[] =
         "listSchemes",
         "List keywords and values of vertexCentred (fvSchemes)",
         "Schemes: dictionary 'vertexCentred' in system/<region>/fvSchemes, "
-        "defaults of preset balanced and, for the paper's scheme, of paper",
+        "with the defaults of preset balanced, and of preset paper for its "
+        "keywords",
         listSchemes
     },
     {
         "listControls",
-        "List keywords of controlDict and of slow loading",
-        "Controls: keywords of vertexContact in system/controlDict, defaults "
-        "of preset balanced; <region> is a name, or a regular expression of "
-        "names in quotes",
+        "List keywords of controlDict, also those of slow loading",
+        "Controls: keywords of vertexContact in system/controlDict, with the "
+        "defaults of preset balanced; <region> is a name, or a regular "
+        "expression for names in quotes",
         listControls
     },
     {
         "listPresets",
-        "List presets and what they stand for",
+        "List presets and the options that they set",
         "Presets: 'preset' in system/controlDict; the default is balanced",
         listPresets
     },

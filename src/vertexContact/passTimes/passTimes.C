@@ -82,8 +82,8 @@ void Foam::passTimes::report
 {
     const scalar perRank = 1.0/Pstream::nProcs();
     const scalar microseconds = 1e6/nodeSteps;
-    os  << "Passes, in us per node and step, and of the time of the steps:"
-        << nl;
+    os  << "Passes, in us per node and step, and in % of the time of the "
+        << "steps:" << nl;
     const auto line = [&](const char* name, const scalar seconds)
     {
         os  << "    " << name << ": " << microseconds*seconds << ", "
@@ -103,9 +103,9 @@ void Foam::passTimes::report
     const scalar moved = bytes*nodeSteps*perRank/stepSeconds;
     const scalar most =
         perRank*returnReduce(bandwidth(), sumOp<scalar>());
-    os  << "Memory: a step that reads all that is stored once moves "
+    os  << "Memory: if a step reads all stored data once, it moves "
         << 1e-9*moved << " GB/s on a core, " << moved/most
-        << " of what a simple loop does here" << nl << nl;
+        << " of the bandwidth of a simple loop" << nl << nl;
 }
 
 

@@ -73,14 +73,14 @@ Foam::keywordList Foam::preset::keywords() const
     {
         {
             "maxCo", "-", Foam::name(maxCo),
-            "step, as a share of the largest stable one"
+            "time step, as a share of the largest stable step"
         },
         {
             "timeIntegrator", "", timeIntegrator::names[integrator],
             keywordList::oneOf
             (
                 timeIntegrator::names.toc(),
-                string("with " + fluxes + " fluxes a step")
+                string("flux evaluations per step: " + fluxes)
             )
         }
     };

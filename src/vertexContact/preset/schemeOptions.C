@@ -75,9 +75,9 @@ void Foam::schemeOptions::refuseOther(const dictionary& dict) const
             FatalIOErrorInFunction(dict)
                 << "Keyword '" << other.name << "' belongs to the "
                 << (paper ? "variational scheme, but 'preset paper' in "
-                  "controlDict chooses the paper's."
-                : "paper's scheme: 'preset paper' in controlDict.") << nl
-                << "Keywords of the scheme that is chosen: "
+                  "controlDict selects the paper's scheme."
+                : "paper's scheme, which needs 'preset paper' in controlDict.")
+                << nl << "Keywords of the selected scheme: "
                 << dictionaryCheck::listed(keywords().names()).c_str()
                 << exit(FatalIOError);
         }
@@ -173,12 +173,14 @@ Foam::keywordList Foam::schemeOptions::commonKeywords() const
             oneOf
             (
                 medianDual::cellTreatmentNames,
-                "mean of the splits of quads and hexes, one split, mesh edges"
+                "quads and hexes: mean of their splits into simplices, one "
+                "split, or mesh edges only"
             )
         },
         {
             "dissipation", "-", Foam::name(dissipation),
-            "share of that of the momentum at edges, above 0 and at most 1"
+            "share of the Riemann solver's dissipation in smooth motion "
+            "(paper: of the momentum, everywhere); above 0 and at most 1"
         }
     };
 }
@@ -190,19 +192,22 @@ Foam::keywordList Foam::schemeOptions::variationalKeywords() const
     {
         {
             "correction", "-", Foam::name(correction),
-            "of the averages: 1/3 fourth order, 0 second order and cheaper"
+            "factor of the correction of averages in the gradient, 0 to 0.5: "
+            "1/3 gives fourth order on a line; 0 gives second order, cheaper"
         },
         {
             "volume", "", volumeNames[volume],
             oneOf
             (
                 volumeNames,
-                "Jacobian of the energy, by Poisson's ratio or as told"
+                "Jacobian in the energy: smoothed from a Poisson's ratio of "
+                "0.45 on, never, or always"
             )
         },
         {
             "frontDissipation", "-", Foam::name(frontDissipation),
-            "dissipation at fronts, which the step has to bear; at most 1"
+            "dissipation at sharp waves, from dissipation to 1; more shortens "
+            "the stable step"
         }
     };
 }
@@ -217,12 +222,13 @@ Foam::keywordList Foam::schemeOptions::paperKeywords() const
             oneOf
             (
                 reconstructionNames,
-                "first order, velocity in the traction jump, all"
+                "nothing (first order), the velocity in the traction jump, "
+                "or velocity and stress"
             )
         },
         {
             "limiter", "", limiterNames[limiter],
-            oneOf(limiterNames, "along each edge")
+            oneOf(limiterNames, "slope limiter, along each edge")
         },
         {
             "kinematics", "", conservedState::kinematicSetNames[kinematics],
@@ -237,14 +243,15 @@ Foam::keywordList Foam::schemeOptions::paperKeywords() const
             oneOf
             (
                 materialModel::jacobianFormNames,
-                "isochoric stress from F alone, or as printed in the paper"
+                "isochoric stress: from F alone, or as printed in the paper"
             )
         },
         {
             "waveSpeed", "", waveSpeedNames[stretchedWaves],
             keywordList::oneOf
             (
-                waveSpeedNames, "of the undeformed material, or the stretched"
+                waveSpeedNames,
+                "waves of the undeformed, or of the stretched material"
             )
         }
     };

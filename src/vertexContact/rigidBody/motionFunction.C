@@ -90,7 +90,7 @@ void Foam::motionFunction::readRotation(const dictionary& coeffs)
             << exit(FatalIOError);
     }
     omega_ = Function1<scalar>::New("omega", coeffs);
-    functionIntegral::check(coeffs, "omega", *omega_, "one");
+    functionIntegral::check(coeffs, "omega", *omega_, "a function");
 }
 
 
@@ -107,8 +107,8 @@ void Foam::motionFunction::readParts
         {
             FatalIOErrorInFunction(coeffs)
                 << "Keyword '" << e.keyword() << "' of " << several
-                << " is no dictionary. Each entry has to be one, with its own "
-                << "'" << nameKey << "'" << exit(FatalIOError);
+                << " is not a dictionary. Each entry must be a dictionary with "
+                << "its own '" << nameKey << "'" << exit(FatalIOError);
         }
         parts_.append(new motionFunction(e.dict(), time));
     }
@@ -116,7 +116,7 @@ void Foam::motionFunction::readParts
     {
         FatalIOErrorInFunction(coeffs)
             << "Keyword '" << nameKey << "' is " << several
-            << ", and there is no motion. Give dictionaries, each with its own "
+            << ", but it has no motion. Give dictionaries, each with its own "
             << "'" << nameKey << "'" << exit(FatalIOError);
     }
 }
@@ -197,8 +197,8 @@ Foam::motionFunction::motionFunction
     {
         FatalIOErrorInFunction(dict_)
             << "Keyword '" << nameKey << "' is " << type_ << ", which moves "
-            << "on by its velocity with each call, and so is nowhere at a time "
-            << "that is given. Use linearMotion" << exit(FatalIOError);
+            << "by its velocity at each call. So it has no position at a given "
+            << "time. Use linearMotion" << exit(FatalIOError);
     }
 
     // Found as OpenFOAM does
@@ -242,7 +242,7 @@ void Foam::motionFunction::checkPose(const scalar time)
     if (parts_.size()) return;
 
     OStringStream os;
-    os  << ", which gives no pose at time " << time << " s";
+    os  << ", which gives no position at time " << time << " s";
     told(os.str(), [&]() { poseAt(time); });
 }
 

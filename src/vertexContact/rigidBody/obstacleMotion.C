@@ -52,7 +52,7 @@ Foam::obstacleMotion::obstacleMotion
             {
                 functionIntegral::check
                 (
-                    motion, w, *translation_, "'displacement', or one"
+                    motion, w, *translation_, "'displacement', or a function"
                 );
             }
         }
@@ -60,9 +60,9 @@ Foam::obstacleMotion::obstacleMotion
         if (nGiven != 1)
         {
             FatalIOErrorInFunction(motion)
-                << "Keyword 'motion': there must be one of (displacement "
-                << "velocity solidBodyMotionFunction), and there "
-                << (nGiven ? "are more" : "is none") << exit(FatalIOError);
+                << "Keyword 'motion': there must be exactly one of "
+                << "(displacement velocity solidBodyMotionFunction), but "
+                << nGiven << " are given" << exit(FatalIOError);
         }
         if (translation_.valid()) return;
 
@@ -82,18 +82,20 @@ Foam::keywordList Foam::obstacleMotion::keywords()
     return
     {
         {
-            "displacement", "m", "or one below",
-            "of all points: vector, or any Function1 of time"
+            "displacement", "m", "one of three",
+            "of all points: a vector, or any Function1 of time"
         },
         {"displacementCoeffs", "", "none", "coefficients of the Function1"},
         {
-            "velocity", "m/s", "or one below",
-            "of all points: Function1 of time that can be integrated"
+            "velocity", "m/s", "one of three",
+            "of all points: a vector, or a Function1 of time that OpenFOAM can "
+            "integrate"
         },
         {"velocityCoeffs", "", "none", "coefficients of the Function1"},
         {
-            "solidBodyMotionFunction", "", "or one above",
-            "name of one of OpenFOAM, with its coefficients"
+            "solidBodyMotionFunction", "", "one of three",
+            "name of a motion of OpenFOAM, beside its coefficients; not "
+            "drivenLinearMotion"
         }
     };
 }

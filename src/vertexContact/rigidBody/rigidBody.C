@@ -71,7 +71,7 @@ void checkInMesh
             FatalIOErrorInFunction(dict)
                 << "Keyword 'motion' moves or turns the body out of the "
                 << dual.nDim() << " directions of the mesh, at time "
-                << begin + left*look/nLooks << exit(FatalIOError);
+                << begin + left*look/nLooks << " s" << exit(FatalIOError);
         }
     }
 }
@@ -134,8 +134,8 @@ void Foam::rigidBody::readFreedoms
     if (pivot_ && moved)
     {
         FatalIOErrorInFunction(dict)
-            << "Keyword 'motion' does not go with 'pivot', which stays where "
-            << "it is" << exit(FatalIOError);
+            << "Keyword 'motion' does not work with 'pivot', a point that does "
+            << "not move" << exit(FatalIOError);
     }
 
     // Solved directions
@@ -165,7 +165,7 @@ void Foam::rigidBody::readFreedoms
         if (some || cmptMax(given) <= 0 || !dict.found(key)) return;
         FatalIOErrorInFunction(dict)
             << "Keyword '" << key << "' is " << dict.get<wordList>(key)
-            << ": none of these is free in a mesh of " << nDim_
+            << ": none of these can be free in a mesh of " << nDim_
             << " directions" << exit(FatalIOError);
     };
     requireSome("freeRotation", turns, nAxes > 0);
@@ -214,8 +214,9 @@ void Foam::rigidBody::readFreedoms
         {
             FatalIOErrorInFunction(dict)
                 << "Keyword 'inertia' is " << mass_.inertia
-                << ": about the axis " << axis_ << ", about which the body "
-                << "turns, it must be positive" << exit(FatalIOError);
+                << ": the body turns about the axis " << axis_
+                << ", and its inertia about this axis must be positive"
+                << exit(FatalIOError);
         }
     }
 
@@ -224,7 +225,7 @@ void Foam::rigidBody::readFreedoms
         FatalIOErrorInFunction(dict)
             << "Keyword 'freeRotation' is not (), but the "
             << "'solidBodyMotionFunction' of 'motion' prescribes the rotation. "
-            << "Motions of translation only: (displacement velocity)"
+            << "These motions do not: (displacement velocity)"
             << exit(FatalIOError);
     }
 
@@ -233,8 +234,8 @@ void Foam::rigidBody::readFreedoms
     if (moved && !mayTurn && 2*tr(translation_) > 2*nDim_ - 1)
     {
         FatalIOErrorInFunction(dict)
-            << "Keyword 'motion' moves what is not free, and nothing is held "
-            << "that it could move: 'freeTranslation' "
+            << "Keyword 'motion' moves the body in directions that are not "
+            << "free, but 'freeTranslation' "
             << dict.get<wordList>("freeTranslation") << " has all directions. "
             << "Leave out those of the motion" << exit(FatalIOError);
     }

@@ -112,8 +112,9 @@ Foam::rigidMass::rigidMass(const dictionary& dict, const medianDual& dual)
     if (dict.found("rho") == dict.found("mass"))
     {
         FatalIOErrorInFunction(dict)
-            << "Keyword 'mass': a rigid region has either that or 'rho', and "
-            << (dict.found("rho") ? "both are" : "neither is") << " given"
+            << "Keyword 'mass': a rigid region needs exactly one of (mass "
+            << "rho), but " << (dict.found("rho") ? "both are" : "none is")
+            << " given"
             << exit(FatalIOError);
     }
     if (dict.found("mass"))
@@ -162,7 +163,7 @@ Foam::rigidMass::rigidMass(const dictionary& dict, const medianDual& dual)
     else if (dict.found("centreOfMass"))
     {
         FatalIOErrorInFunction(dict)
-            << "Keyword 'centreOfMass' is given, but not 'inertia' about it"
+            << "Keyword 'centreOfMass' needs 'inertia' about this point"
             << exit(FatalIOError);
     }
 }

@@ -31,36 +31,50 @@ Foam::keywordList Foam::rigidMaterial::keywords()
 {
     return
     {
-        {"rho", "kg/m3", "or mass", "density: mass and inertia of the mesh"},
-        {"mass", "kg", "or rho", "in 2D per metre, in 1D per square metre"},
         {
-            "inertia", "kg m2", "as of one density",
-            "symmTensor about the centre of mass, at the start"
+            "rho", "kg/m3", "or mass",
+            "density; mass and inertia follow from the mesh"
         },
-        {"centreOfMass", "m", "that of the mesh", "with inertia"},
+        {
+            "mass", "kg", "or rho",
+            "mass; in 2D per metre of thickness, in 1D per square metre of "
+            "cross-section"
+        },
+        {
+            "inertia", "kg m2", "uniform density",
+            "symmTensor about the centre of mass, as the body lies at the "
+            "start"
+        },
+        {
+            "centreOfMass", "m", "of the mesh",
+            "centre of mass; only with inertia"
+        },
         {
             "pivot", "m", "none",
-            "point of the body that stays where it is"
+            "fixed point of the body, about which it turns"
         },
         {
             "freeTranslation", "", "(x y z)",
-            "directions; with motion none"
+            "directions of free translation; () is the default with motion "
+            "or pivot"
         },
         {
             "freeRotation", "", "(x y z)",
-            "all, one axis, or none; with motion none"
+            "axes of free rotation: all, one, or none (); () is the default "
+            "with motion"
         },
         {
             "force", "N", "none",
-            "at the centre of mass: vector, or any Function1 of time"
+            "force at the centre of mass: a vector, or any Function1 of "
+            "time"
         },
         {"forceCoeffs", "", "none", "coefficients of the Function1"},
-        {"moment", "N m", "none", "vector, or any Function1 of time"},
+        {"moment", "N m", "none", "a vector, or any Function1 of time"},
         {"momentCoeffs", "", "none", "coefficients of the Function1"},
         {
-            "motion", "", "none",
-            "of what is not free: displacement, velocity, or "
-            "solidBodyMotionFunction"
+            "motion", "", "at rest",
+            "dictionary: motion in the directions that are not free, by "
+            "displacement, velocity, or solidBodyMotionFunction"
         }
     };
 }

@@ -74,7 +74,7 @@ void checkType(const dictionary& dict, const control& c)
             << (c.type == kind::dict ? "not a dictionary" : "a dictionary")
             << ": it must be "
             << (
-                   c.type == kind::dict ? "one, as in its class's header"
+                   c.type == kind::dict ? "one, as -listControls prints"
                  : c.type == kind::number ? "a number"
                  : c.type == kind::onOff ? "yes or no" : "a word"
                )
@@ -132,7 +132,7 @@ Foam::keywordList Foam::controlKeywords::keywords()
                 keywordList::oneOf
                 (
                     preset::names.toc(),
-                    "options that trade speed for accuracy"
+                    "set of defaults, from fast to accurate; or the paper's"
                 )
             }
         })
@@ -142,19 +142,24 @@ Foam::keywordList Foam::controlKeywords::keywords()
             {
                 "adjustTimeStep", "",
                 stepControl::adjustTimeStepDefault ? "yes" : "no",
-                "step from the state; no: deltaT"
+                "yes: step from maxCo and the stable step; no: step deltaT"
             },
-            {"maxDeltaT", "s", "none", "longest step, unless it is deltaT"},
+            {
+                "maxDeltaT", "s", "none",
+                "upper limit of the step, with adjustTimeStep yes"
+            },
             {
                 "minDeltaT", "s", "1e-6 of the first",
-                "stable step that ends the run"
+                "a stable step below this ends the run with an error"
             },
             {
-                "maxEnergyRise", "-", "none", "rise of energy that ends the run"
+                "maxEnergyRise", "-", "none",
+                "a rise of energy above this share of its largest value ends "
+                "the run with an error"
             },
             {
                 "logInterval", "-", Foam::name(stepControl::logIntervalDefault),
-                "steps from log line to log line"
+                "number of steps between two log lines"
             }
         })
       + stepRatios::keywords()
@@ -163,12 +168,12 @@ Foam::keywordList Foam::controlKeywords::keywords()
             {
                 "contactIterations", "-",
                 Foam::name(stepControl::contactIterationsDefault),
-                "times that contact is solved in a step; 2 where it is only "
-                "some faces wide"
+                "number of contact solutions per step; use 2 where a contact "
+                "is only some faces wide"
             },
             {
                 "massScaling", "", "none",
-                "more mass for longer steps: a dictionary by region"
+                "added mass for longer steps: dictionary of the regions"
             }
         })
       + massScaling::keywords().within("massScaling/<region>")
@@ -176,7 +181,7 @@ Foam::keywordList Foam::controlKeywords::keywords()
         ({
             {
                 "damping", "", "none",
-                "mass-proportional: a dictionary by region"
+                "mass-proportional damping: dictionary of the regions"
             }
         })
       + massDamping::keywords().within("damping/<region>")
@@ -184,7 +189,8 @@ Foam::keywordList Foam::controlKeywords::keywords()
         ({
             {
                 "relaxation", "", "none",
-                "to the static state: a dictionary"
+                "dictionary; if given, the run seeks the static state and ends "
+                "there"
             }
         })
       + kineticRelaxation::keywords().within("relaxation");
@@ -215,8 +221,9 @@ void Foam::controlKeywords::check(const Time& runTime)
                 << dictionaryCheck::proposal(key, known).c_str() << nl
                 << "Keywords of vertexContact here: "
                 << dictionaryCheck::listed(ours).c_str() << nl
-                << "An entry of yours is one that this file uses by $" << key
-                << ", or whose name begins with _" << exit(FatalIOError);
+                << "An entry of your own is valid if this file uses it as $"
+                << key << ", or if its name begins with _"
+                << exit(FatalIOError);
         }
     }
     for (const control& c : types) checkType(dict, c);

@@ -49,10 +49,10 @@ Foam::keywordList Foam::stepRatios::keywords()
 {
     return
     {
-        {"subCycling", "", "no", "a step of its own for each region"},
+        {"subCycling", "", "no", "yes: each region has a time step of its own"},
         {
             "maxSubCycles", "-", "64",
-            "most steps of a region in the common one"
+            "largest number of steps of a region in a common step"
         }
     };
 }

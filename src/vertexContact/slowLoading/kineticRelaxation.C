@@ -68,12 +68,15 @@ Foam::keywordList Foam::kineticRelaxation::keywords()
 {
     return
     {
-        {"type", "", "required", "kinetic"},
+        {
+            "type", "", "required",
+            "kinetic: stops all free nodes at each peak of kinetic energy"
+        },
         {
             "tolerance", "-", "0.001",
-            "forces out of balance by loads, with which the run ends"
+            "the run ends when out-of-balance forces / loads are below this"
         },
-        {"start", "s", "0", "time from which it is done"}
+        {"start", "s", "0", "time from which nodes are stopped"}
     };
 }
 
@@ -127,7 +130,7 @@ void Foam::kineticRelaxation::report(Ostream& os) const
     }
     else
     {
-        os  << nPeaks_ << " peaks, but no loads that forces could balance";
+        os  << nPeaks_ << " peaks, but no residual, because no loads act";
     }
     os  << nl << nl;
 }

@@ -38,8 +38,8 @@ scalar readFactor(const dictionary& dict, solidBody& body)
     if (!its)
     {
         FatalIOErrorInFunction(dict)
-            << "Keyword 'step' does not go with preset paper. Valid keyword "
-            << "for it: factor" << exit(FatalIOError);
+            << "Keyword 'step' does not work with preset paper. Valid keyword "
+            << "with this preset: factor" << exit(FatalIOError);
     }
     return max(scalar(1), sqr(step/its->undeformedTimeScale()));
 }
@@ -104,8 +104,8 @@ Foam::massScaling::massScaling
                 << "Keyword 'massScaling': region '" << body.name()
                 << "' with the factor " << factor << " adds " << a.mass
                 << " kg, " << 100*a.ofAll << " % of the mass of all regions "
-                << "that deform. It must be at most 'limit', " << 100*limit
-                << " %, or 'force yes'" << exit(FatalIOError);
+                << "that deform. At most 'limit', " << 100*limit << " %, is "
+                << "valid without 'force yes'" << exit(FatalIOError);
         }
         regions_.append(a);
     }
@@ -118,13 +118,18 @@ Foam::keywordList Foam::massScaling::keywords()
 {
     return
     {
-        {"factor", "-", "or step", "of the density, at least 1"},
-        {"step", "s", "or factor", "stable step of the undeformed region"},
+        {"factor", "-", "or step", "factor of the mass, at least 1"},
+        {
+            "step", "s", "or factor",
+            "mass is added until the undeformed region has this stable step "
+            "(at Co 1)"
+        },
         {
             "limit", "-", "0.05",
-            "added mass by that of all regions that deform, at most"
+            "largest added mass, as a share of the mass of all regions that "
+            "deform"
         },
-        {"force", "", "no", "yes: also above the limit"}
+        {"force", "", "no", "yes: mass above the limit is no error"}
     };
 }
 
@@ -142,7 +147,8 @@ void Foam::massScaling::report
             << "if it had " << factor << " times its mass: " << a.mass
             << " kg added, " << 100*(factor - 1) << " % of its own, "
             << 100*a.ofAll << " % of all. Momentum and kinetic energy are "
-            << "those of the scaled mass, weight is that of the true one" << nl;
+            << "those of the scaled mass, the weight is that of the true mass"
+            << nl;
     }
 }
 

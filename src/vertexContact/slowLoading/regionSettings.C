@@ -22,9 +22,9 @@ Foam::List<const Foam::dictionary*> Foam::regionSettings::read
     if (!controlDict.isDict(keyword))
     {
         FatalIOErrorInFunction(controlDict)
-            << "Keyword '" << keyword << "' is not a dictionary: it holds one "
-            << "for each region, or for those that a regular expression in "
-            << "quotes matches. Their keywords: "
+            << "Keyword '" << keyword << "' is not a dictionary. It must hold "
+            << "a dictionary for each region, or for the regions that a "
+            << "regular expression in quotes matches, with the keywords "
             << dictionaryCheck::listed(valid.names()).c_str()
             << exit(FatalIOError);
     }
@@ -40,7 +40,7 @@ Foam::List<const Foam::dictionary*> Foam::regionSettings::read
         {
             FatalIOErrorInFunction(all)
                 << "Keyword '" << e.keyword() << "' is not a dictionary. "
-                << "Keywords of those of a region: "
+                << "The dictionary of a region has the keywords "
                 << dictionaryCheck::listed(valid.names()).c_str()
                 << exit(FatalIOError);
         }
@@ -53,8 +53,8 @@ Foam::List<const Foam::dictionary*> Foam::regionSettings::read
         if (!some)
         {
             FatalIOErrorInFunction(all)
-                << "Keyword '" << e.keyword() << "' is none of the regions "
-                << "that deform, and matches none of them. These are: "
+                << "Keyword '" << e.keyword() << "' is not a region that "
+                << "deforms, and matches none. Regions that deform: "
                 << dictionaryCheck::listed(regions).c_str()
                 << exit(FatalIOError);
         }

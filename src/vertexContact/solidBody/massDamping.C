@@ -24,8 +24,8 @@ Foam::keywordList Foam::massDamping::keywords()
     {
         {
             "coefficient", "1/s", "required",
-            "of a force against the velocity, per mass: number, or any "
-            "Function1 of time"
+            "damping force per mass and velocity: a number, or any Function1 "
+            "of time"
         },
         {"coefficientCoeffs", "", "none", "coefficients of the Function1"}
     };

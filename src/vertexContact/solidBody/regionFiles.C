@@ -102,7 +102,7 @@ void checkPatches(const dictionary& field, const polyMesh& mesh)
         if (!fits)
         {
             FatalIOErrorInFunction(field)
-                << "Keyword 'boundaryField': '" << key << "' fits no patch of "
+                << "Keyword 'boundaryField': '" << key << "' is no patch of "
                 << "region '" << mesh.name() << "'."
                 << dictionaryCheck::proposal(key, names).c_str() << nl
                 << "Its patches: " << dictionaryCheck::listed(names).c_str()
@@ -129,8 +129,8 @@ Foam::keywordList Foam::regionFiles::sharedKeywords()
     {
         {
             "<region>", "", "none",
-            "dictionary as mechanicalProperties; a name, or a regular "
-            "expression of names in quotes"
+            "dictionary as in mechanicalProperties; <region> is a name, or a "
+            "regular expression for names in quotes"
         }
     };
 }
@@ -140,35 +140,42 @@ Foam::keywordList Foam::regionFiles::startFields()
 {
     return
     {
-        {"pointU", "m/s", "vector", "velocity; its patches are the conditions"},
-        {"pointD", "m", "vector", "displacement, and the stress of it"},
+        {
+            "pointU", "m/s", "vector",
+            "velocity; its patches have the boundary conditions"
+        },
+        {
+            "pointD", "m", "vector",
+            "displacement, and the stress that it causes"
+        },
         {
             "F0", "-", "tensor",
-            "deformation from where there is no stress to the mesh"
+            "deformation gradient from the stress-free state to the mesh"
         },
         {
             "CpInv", "-", "symmTensor",
-            "inverse plastic right Cauchy-Green tensor, determinant 1; "
-            "HenckyVonMises"
+            "inverse plastic right Cauchy-Green tensor, with determinant 1; "
+            "only HenckyVonMises"
         },
         {
             "elasticStrain", "-", "symmTensor",
-            "in place of CpInv, which is made to it: logarithmic, of which the "
-            "deviator counts"
+            "logarithmic elastic strain, replaces CpInv; only its deviator "
+            "matters; only HenckyVonMises"
         },
         {
             "epsilonPEq", "-", "scalar",
-            "equivalent plastic strain; HenckyVonMises"
+            "equivalent plastic strain; only HenckyVonMises"
         },
-        {"pointT", "K", "scalar", "temperature; with adiabaticHeating"},
+        {"pointT", "K", "scalar", "temperature; only with adiabaticHeating"},
         {
             "hourglassShare", "-", "scalar",
-            "stiffness of metal against hourglass modes, over the elastic "
-            "one; written by runs"
+            "stiffness against hourglass modes, relative to that of the "
+            "elastic material; only HenckyVonMises; written by runs"
         },
         {
             "contactSlide", "m", "vector",
-            "what friction remembers; written by runs and mapState"
+            "distance of a sticking point from where it began to stick; "
+            "written by runs and mapState"
         }
     };
 }
@@ -192,9 +199,9 @@ Foam::dictionary Foam::regionFiles::material(const polyMesh& mesh)
         if (shared.size())
         {
             FatalIOErrorInFunction(shared)
-                << "No entry fits region '" << mesh.name()
-                << "', which has no file " << own.objectPath()
-                << " either." << nl << "Valid entries: "
+                << "No entry is for region '" << mesh.name()
+                << "', and the region has no file " << own.objectPath()
+                << '.' << nl << "Valid entries: "
                 << dictionaryCheck::listed(shared.toc()).c_str()
                 << exit(FatalIOError);
         }
@@ -313,7 +320,7 @@ void Foam::regionFiles::check(const Time& runTime, const wordList& regions)
         {
             FatalIOErrorInFunction(shared)
                 << "Keyword '" << e.keyword()
-                << "' is not a dictionary: the material of regions is"
+                << "' is not a dictionary. The material of a region must be one"
                 << exit(FatalIOError);
         }
         bool fits = false;
@@ -324,7 +331,7 @@ void Foam::regionFiles::check(const Time& runTime, const wordList& regions)
         if (!fits)
         {
             FatalIOErrorInFunction(shared)
-                << "Keyword '" << e.keyword() << "' fits no region." << nl
+                << "Keyword '" << e.keyword() << "' matches no region." << nl
                 << "Valid regions: "
                 << dictionaryCheck::listed(regions).c_str()
                 << exit(FatalIOError);

@@ -82,7 +82,8 @@ void Foam::solidBody::checkMotions() const
                        motion->ofDisplacement()
                      ? "a displacement" : "a part of the velocity"
                    )
-                << ". 'preset paper' takes all of the velocity only"
+                << ". With 'preset paper' a patch can only prescribe the whole "
+                << "velocity"
                 << exit(FatalIOError);
         }
 
@@ -98,9 +99,9 @@ void Foam::solidBody::checkMotions() const
                 FatalFileErrorInFunction(pointUFile_)
                     << "Keyword 'boundaryField': patch '" << pf.patch().name()
                     << "' of type '" << pf.type() << "' has 'components' or a "
-                    << "'direction' (" << direction.x() << ' '
+                    << "'direction' along (" << direction.x() << ' '
                     << direction.y() << ' ' << direction.z()
-                    << ") of a direction that the mesh leaves out (empty). "
+                    << "), which the mesh leaves out (empty). "
                     << "Valid components: "
                     << dictionaryCheck::listed(valid).c_str()
                     << exit(FatalIOError);
@@ -173,9 +174,10 @@ void Foam::solidBody::checkStart(const scalar time)
                 << pointU_.boundaryField()[patchi].patch().name()
                 << "' has a 'displacement' of " << given
                 << " m at the start, time " << time
-                << " s, but its nodes are elsewhere (pointD): the surface "
-                << "would jump by " << least << " of its cells, "
-                << largestJump << " are allowed" << exit(FatalIOError);
+                << " s, but pointD gives its nodes another position. The "
+                << "surface would jump by " << least << " of its cell size, "
+                << "and at most " << largestJump << " is allowed"
+                << exit(FatalIOError);
         }
     }
 }

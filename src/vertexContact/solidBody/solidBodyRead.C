@@ -144,15 +144,15 @@ Foam::initialStretch Foam::solidBody::readInitialStretch
     if (options_.scheme != schemeType::variational)
     {
         FatalFileErrorInFunction(file)
-            << "The field F0, an initial stretch, does not go with the scheme "
-            << "of preset paper" << exit(FatalIOError);
+            << "The field F0, an initial stretch, does not work with preset "
+            << "paper" << exit(FatalIOError);
     }
     if (!law.takesInitialStretch())
     {
         FatalFileErrorInFunction(file)
-            << "The field F0, an initial stretch, does not go with type "
+            << "The field F0, an initial stretch, does not work with type "
             << law.type() << " of region '" << name_
-            << "': it is one of laws that deform." << nl
+            << "': the body must deform." << nl
             << "Remove the field" << exit(FatalIOError);
     }
 
@@ -172,14 +172,15 @@ Foam::initialStretch Foam::solidBody::readInitialStretch
                 local[a][3*i + j] = F0[3*dir[i] + dir[j]];
                 if (i != j && max(i, j) >= d && local[a][3*i + j] != 0)
                 {
-                    wrong = "directions that are left out must not be sheared";
+                    wrong = "directions that the mesh leaves out must not be "
+                        "sheared";
                 }
             }
         }
         if (d == 1 && local[a].yy() != local[a].zz())
         {
-            wrong = "both directions that are left out must have the same "
-                "stretch";
+            wrong = "both directions that the mesh leaves out must have the "
+                "same stretch";
         }
         if (wrong)
         {
@@ -225,8 +226,9 @@ void Foam::solidBody::readState()
     if (!D.valid() && dictionaryCheck::isThere<IOdictionary>(record))
     {
         FatalFileErrorInFunction(pointUFile_.path()/"pointD")
-            << "Region " << name_ << ": there is no pointD, though a run wrote "
-            << "this time (uniform/solidSystem): start from a time that has it"
+            << "Region " << name_ << ": there is no pointD, although a run "
+            << "wrote this time (uniform/solidSystem). Start from a time that "
+            << "has pointD"
             << exit(FatalIOError);
     }
     scalar lost = 0;
@@ -277,8 +279,8 @@ void Foam::solidBody::readState()
             << mesh_.boundaryMesh()[kinked].name() << "' of the region '"
             << name_ << "' has the type '"
             << pointU_.boundaryField()[kinked].type()
-            << "', for which a node has one normal, but turns by an edge at "
-            << edge << ". Make a patch of each of its sides"
+            << "', which needs one normal at each node, but it has an edge at "
+            << edge << ". Make a separate patch of each side of the edge"
             << exit(FatalIOError);
     }
     const scalar removed = returnReduce

@@ -111,7 +111,7 @@ const Foam::solidBoundaryCondition& Foam::solidBody::condition
         FatalFileErrorInFunction(pointUFile_)
             << "Keyword 'boundaryField': patch '" << pf.patch().name()
             << "' has the boundary condition '" << pf.type()
-            << "', which is not one of a solid." << nl
+            << "', which is not a condition for solids." << nl
             << "Valid conditions: "
             << dictionaryCheck::listed(solidBoundaryCondition::names()).c_str()
             << exit(FatalIOError);

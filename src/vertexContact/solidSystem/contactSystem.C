@@ -26,7 +26,7 @@ const Foam::dictionary& Foam::contactSystem::dictionaries() const
         {
             FatalIOErrorInFunction(list)
                 << "Keyword '" << e.keyword()
-                << "' is not a dictionary: an interface is"
+                << "' is not a dictionary. An interface must be one"
                 << exit(FatalIOError);
         }
     }
@@ -395,7 +395,7 @@ void Foam::contactSystem::report(Ostream& os) const
     }
     else if (iterations_ > 1)
     {
-        os  << "Contact is solved " << iterations_ << " times a step" << nl;
+        os  << "Contact is solved " << iterations_ << " times per step" << nl;
     }
 }
 
@@ -411,7 +411,7 @@ void Foam::contactSystem::reportCost
     const scalar percent = 100/max(stepSeconds, VSMALL);
     os  << "Contact: " << percent*pairingSeconds_
         << " % of the time of the steps in " << nPairings_
-        << " pairings, " << percent*forceSeconds_ << " % in fluxes"
+        << " pairings, " << percent*forceSeconds_ << " % in contact forces"
         << nl << nl;
 }
 

@@ -43,10 +43,10 @@ void Foam::runWarnings::checkDeformations
             WarningInFunction
                 << "Region " << bodies[i].name() << ": |F - I| has reached "
                 << largest << ", but " << bodies[i].material().type()
-                << " is a law of small strains and rotations, whose stress is "
+                << " is a law of small strains and rotations. Its stress is "
                 << "then wrong by about as much." << nl
-                << "    neoHookean is one of large strains; what a step costs "
-                << "more: tests/benchmark/features.md." << endl;
+                << "    neoHookean is a law of large strains; "
+                << "tests/benchmark/features.md has its cost per step." << endl;
         }
     }
 }
@@ -69,7 +69,7 @@ void Foam::runWarnings::checkEnergies
             WarningInFunction
                 << "Region " << bodies[i].name() << " has gained "
                 << 100*share << " % of its energy from the fluxes, which "
-                << "ought to take some (numericalDissipation < 0)." << nl
+                << "should only dissipate (numericalDissipation < 0)." << nl
                 << "    Likely cures: "
                 << (
                        bodies[i].variational()
@@ -106,21 +106,22 @@ void Foam::runWarnings::reportGain() const
         WarningInFunction
             << "The energy has risen by " << 100*rise/largest_
             << " % of its largest value, without work." << nl
-            << "    Likely cures: a finer mesh, a smaller maxCo; for standing "
-            << "loads no law 'tied'. "
-            << "'maxEnergyRise' in controlDict ends a run where it happens."
+            << "    Likely cures: a finer mesh, a smaller maxCo; with constant "
+            << "loads another law than 'tied'." << nl
+            << "    'maxEnergyRise' in controlDict ends a run when the energy "
+            << "rises."
             << endl;
     }
     else if (given_ > least)
     {
         WarningInFunction
             << "Contact has given the bodies " << 100*given_/largest_
-            << " % of their largest energy, though no obstacle moves." << nl
+            << " % of their largest energy, although no obstacle moves." << nl
             << "    Likely causes: surfaces that were inside each other at the "
             << "start (checkContact); a mesh that is too coarse where edges "
             << "or corners meet." << nl
-            << "    'maxEnergyRise' in controlDict ends a run where it happens."
-            << endl;
+            << "    'maxEnergyRise' in controlDict ends a run when the energy "
+            << "rises." << endl;
     }
 }
 
@@ -144,7 +145,7 @@ void Foam::runWarnings::reportLaws
             if (flow == 0)
             {
                 os  << "Region " << body.name() << " has not yielded: a step "
-                    << "with neoHookean takes less time than one with "
+                    << "with neoHookean takes less time than a step with "
                     << body.material().type() << nl << nl;
             }
             continue;
@@ -154,7 +155,7 @@ void Foam::runWarnings::reportLaws
         if (largest < staysSmall)
         {
             os  << "Region " << body.name() << ": |F - I| stayed below "
-                << largest << " where it was logged. linearElastic, whose "
+                << largest << " at all log lines. linearElastic, whose "
                 << "stress differs by about as much, takes less time than "
                 << body.material().type() << nl << nl;
         }

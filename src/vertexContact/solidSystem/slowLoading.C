@@ -32,7 +32,7 @@ void Foam::solidSystem::readSlowLoading(const dictionary& record)
     {
         FatalIOErrorInFunction(control)
             << "Keyword '" << (damped_ ? "damping" : "relaxation")
-            << "' does not go with preset " << preset::names[preset_.name]
+            << "' does not work with preset " << preset::names[preset_.name]
             << " (timeIntegrator "
             << timeIntegrator::names[integrator_.type()]
             << "). Valid integrators for it: (leapfrog)"
@@ -49,9 +49,9 @@ void Foam::solidSystem::readSlowLoading(const dictionary& record)
     if (subCycling_.active())
     {
         FatalIOErrorInFunction(control)
-            << "Keyword 'relaxation' does not go with subCycling: bodies that "
-            << "are stopped begin again with one step. 'subCycling' must be no"
-            << exit(FatalIOError);
+            << "Keyword 'relaxation' does not work with subCycling, because "
+            << "stopped bodies begin again with a common step. 'subCycling' "
+            << "must be no" << exit(FatalIOError);
     }
     relaxation_.reset(new kineticRelaxation(control));
     relaxation_->read(record.subOrEmptyDict("relaxation"));

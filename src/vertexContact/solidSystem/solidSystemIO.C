@@ -66,12 +66,12 @@ void Foam::solidSystem::writeIfDue()
     }
     else if (asked_ >= stopSignals::writeAndEnd)
     {
-        Info<< "Asked by a signal to write and to end" << endl;
+        Info<< "A signal asks the run to write and to end" << endl;
         runTime_.writeAndEnd();
     }
     else if (asked_ > 0)
     {
-        Info<< "Asked by a signal to write" << endl;
+        Info<< "A signal asks the run to write" << endl;
         runTime_.writeNow();
     }
     else

@@ -275,13 +275,13 @@ void Foam::solidSystem::report(Ostream& os) const
     }
     if (subCycling_.active())
     {
-        os  << "Steps of their own for the regions" << nl;
+        os  << "Each region has a time step of its own" << nl;
     }
     massScaling_->report(bodies_, os);
     if (relaxation_.valid())
     {
-        os  << "Relaxation: at each peak of the kinetic energy what is free "
-            << "is stopped" << nl;
+        os  << "Relaxation: all free nodes are stopped at each peak of the "
+            << "kinetic energy" << nl;
     }
     for (const solidBody& body : bodies_)
     {

@@ -63,7 +63,7 @@ void Foam::solidSystem::checkTimeStep()
         << "The stable time step has fallen to " << choice_.limit()
         << " s, below " << leastTimeStep_ << " s (minDeltaT): "
         << what.c_str() << ", at time " << runTime_.value() << " s." << nl
-        << "Likely cures: cells that are less distorted there, or a material "
+        << "Likely cures: less distorted cells at this place, or a material "
         << "that is meant for such deformations." << exit(FatalError);
 }
 
@@ -143,8 +143,8 @@ void Foam::solidSystem::stopOnLostContact(const string& where)
     (
         "A surface has gone through another one",
         where,
-        "a finer mesh at the surfaces, or edges that are rounded where they "
-        "dig in; an impact that fast may be beyond the scheme "
+        "a finer mesh at the surfaces, or round edges where edges dig in; the "
+        "impact may be too fast for the scheme "
         "(tests/robustness/stability.md)."
     );
 }
@@ -200,7 +200,7 @@ void Foam::solidSystem::checkEnergy()
         where,
         rise == all.last().contactGain
       ? "surfaces that are not inside each other at the start; a finer mesh "
-        "where edges or corners meet: contact has given the energy."
+        "where edges or corners meet. The energy came from contact."
       : integrator_.leapfrog()
       ? "a smaller maxCo, or 'cells simplicial'."
       : "a smaller maxCo, 'reconstruction linear', which never gains energy, "

@@ -355,9 +355,9 @@ void Foam::subCycling::read
     if (record.found("shortStep") && !active())
     {
         FatalIOErrorInFunction(controlDict)
-            << "Keyword 'subCycling' is no, but the run that this one goes on "
-            << "from had steps of their own: it must be yes. "
-            << "'maxSubCycles 1' gives one step to all regions."
+            << "Keyword 'subCycling' is no, but the earlier run, which this "
+            << "run continues, had subCycling: it must be yes. "
+            << "'maxSubCycles 1' gives all regions one step."
             << exit(FatalIOError);
     }
 }
@@ -392,7 +392,7 @@ void Foam::subCycling::report
         }
         os  << " in " << last_.whole << " s; so far " << cost_.own
             << " evaluations of nodes, " << cost_.own/max(cost_.one, VSMALL)
-            << " of the " << cost_.one << " with one step for all"
+            << " of the " << cost_.one << " that one step for all needs"
             << nl;
         return;
     }
@@ -405,8 +405,9 @@ void Foam::subCycling::report
     }
     os  << "in " << common << " s times maxCo, nodes would be evaluated "
         << ratios_.cost(common, stable) << " times as often" << nl
-        << "    A region has one step, also where only a few of its cells are "
-        << "small or stiff: regions of their own, tied, have theirs" << nl;
+        << "    A region has one step, even if only a few of its cells are "
+        << "small or stiff. To give them a step of their own, make them a "
+        << "region of their own, tied to the rest" << nl;
 }
 
 

@@ -65,7 +65,7 @@ Foam::wordList Foam::systemChecks::regionNames(const Time& runTime)
         if (!isFile(points) && !Pstream::parRun())
         {
             FatalFileErrorInFunction(io.objectPath())
-                << "There is no such file, which names the regions, nor "
+                << "There is neither this file, which names the regions, nor "
                 << "constant/polyMesh, the mesh of a case without regions"
                 << exit(FatalIOError);
         }
@@ -107,7 +107,7 @@ Foam::wordList Foam::systemChecks::regionNames(const Time& runTime)
         {
             FatalIOErrorInFunction(dict)
                 << "Keyword 'regions': region '" << names[i]
-                << "' has no mesh, there is no folder " << mesh
+                << "' has no mesh: there is no folder " << mesh
                 << exit(FatalIOError);
         }
     }
@@ -136,7 +136,8 @@ void Foam::systemChecks::processors(const Time& runTime)
         FatalErrorInFunction
             << "There is no " << runTime.constant() << " folder of processor"
             << missing << ", but the run has " << Pstream::nProcs()
-            << " ranks." << nl << "Decompose the case for as many: "
+            << " ranks." << nl
+            << "Decompose the case for this number of ranks: "
             << "decomposePar -allRegions -force" << exit(FatalError);
     }
 }
@@ -165,10 +166,10 @@ void Foam::systemChecks::integrator
             {
                 WarningInFunction
                     << "Region '" << body.name() << "' has " << nodes
-                    << " nodes. What vibrates in bodies of two cells across "
-                    << "is not damped, and grows in long runs with "
+                    << " nodes. Vibrations in bodies of two cells across are "
+                    << "not damped, and grow in long runs with "
                     << timeIntegrator::names[integrator.type()]
-                    << " (tests/robustness/stability.md): more cells, or "
+                    << " (tests/robustness/stability.md). Use more cells, or "
                     << "'timeIntegrator TVDRK3'." << endl;
             }
         }
@@ -176,7 +177,7 @@ void Foam::systemChecks::integrator
     if (stepRatios::wanted(control.dict()) && !integrator.leapfrog())
     {
         FatalIOErrorInFunction(control.dict())
-            << "Keyword 'subCycling' is yes, which does not go with preset "
+            << "Keyword 'subCycling' is yes, which does not work with preset "
             << preset::names[given.name] << " (timeIntegrator "
             << timeIntegrator::names[integrator.type()]
             << "). Valid integrators for it: (leapfrog)"
@@ -185,7 +186,7 @@ void Foam::systemChecks::integrator
     if (control.contactIterations() > 1 && !integrator.leapfrog())
     {
         WarningInFunction
-            << "contactIterations does nothing with preset "
+            << "contactIterations has no effect with preset "
             << preset::names[given.name] << endl;
     }
     for (const solidBody& body : bodies)
@@ -195,7 +196,7 @@ void Foam::systemChecks::integrator
             FatalIOErrorInFunction(control.dict())
                 << "Keyword 'timeIntegrator': "
                 << timeIntegrator::names[integrator.type()]
-                << " does not go with preset " << preset::names[given.name]
+                << " does not work with preset " << preset::names[given.name]
                 << ". Valid integrators for it: "
                 << integrators([&](const timeIntegrator& its)
                    {
@@ -211,7 +212,7 @@ void Foam::systemChecks::integrator
         if (body.options().reconstruction == reconstructionType::full)
         {
             FatalIOErrorInFunction(control.dict())
-                << "Keyword 'timeIntegrator': symplecticEuler goes with "
+                << "Keyword 'timeIntegrator': symplecticEuler needs "
                 << "'reconstruction' linear or none, but region '"
                 << body.name() << "' has full (fvSchemes). Valid integrators "
                 << "for full: "
@@ -243,7 +244,7 @@ void Foam::systemChecks::rigid
     {
         FatalIOErrorInFunction(control.dict())
             << "Keyword 'adjustTimeStep' is yes, but all regions are rigid: "
-            << "nothing says how long a step may be. It must be no, with "
+            << "there is no stable step. 'adjustTimeStep' must be no, with "
             << "'deltaT'" << exit(FatalIOError);
     }
 }
@@ -305,9 +306,9 @@ void Foam::systemChecks::impacts
         {
             WarningInFunction
                 << "Interface '" << contact.name() << "': the bodies approach "
-                << "with " << speed/cp << " of the speed of their waves. "
+                << "each other at " << speed/cp << " of their wave speed. "
                 << "Above " << fastImpact << " surfaces may go through each "
-                << "other (tests/robustness/stability.md): 'waveSpeed "
+                << "other (tests/robustness/stability.md). Use 'waveSpeed "
                 << "stretched' in fvSchemes." << endl;
         }
     }

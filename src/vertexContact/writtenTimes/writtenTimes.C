@@ -171,11 +171,11 @@ void Foam::writtenTimes::check(const regIOobject& object)
     if (fileHandler().type() == "uncollated" && !ends(file))
     {
         FatalErrorInFunction
-            << "File " << file << " could not be written to its end: is the "
-            << "disk full, or the folder not to be written to?" << nl
+            << "File " << file << " could not be written completely: is the "
+            << "disk full, or the folder write-protected?" << nl
             << "Times before " << object.time().timeName()
-            << " are complete; the run continues from the latest of them "
-            << "when it is started again." << exit(FatalError);
+            << " are complete. If you start the run again, it continues from "
+            << "the latest of them." << exit(FatalError);
     }
 }
 

@@ -65,8 +65,8 @@ def trade(names, jobs, missing, only):
 
 
 def runPeers(names, program):
-    """Run a program to compare with on its meshes, one at a time. One that
-    ends badly leaves no row."""
+    """Run one of the compared programs on its meshes, one after the other. A
+    run that ends with an error gives no row."""
     table, calibration = peersTable(), Calibration()
     meshes = peers.meshes(program)
     for name in names:
@@ -82,7 +82,7 @@ def runPeers(names, program):
 
 
 def makeReference(case):
-    """Histories of the finest mesh, kept with so many digits as count."""
+    """Histories on the finest mesh, written with as many digits as matter."""
     chosen = named(case, "accurate", case.finest)
     start = time.perf_counter()
     with tempfile.TemporaryDirectory() as folder:

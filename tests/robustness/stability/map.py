@@ -25,12 +25,13 @@ here = Path(__file__).resolve().parent
 TABLE = here/"stability.csv"
 COLUMNS = "group", "parameters", "outcome", "figures", "why", "seconds"
 
-# Started first, for they take longest
+# Started first, since they take longest
 LONG = "settling", "resting", "spin", "vibration"
 
 
 def cell(group, parameters):
-    """Run one, in a folder that is removed: a row of the table."""
+    """Run one cell of the map, in a folder that is removed afterwards. Returns
+    a row of the table."""
     scene, _ = GROUPS[group]
     start = time.time()
     with tempfile.TemporaryDirectory(prefix="stability") as folder:

@@ -19,17 +19,17 @@ import numpy as np
 from vertexContactTests.peers.deck import deck
 from vertexContactTests.peers.scenes import SCENES
 
-# Part of the run, to take away what is not of the steps
+# Part of the run; its time is subtracted, to leave out the start-up
 SHORT = 0.05
 LIMIT = 1800
 
 
 class Failed(RuntimeError):
-    """CalculiX did not end, or not well."""
+    """CalculiX did not end, or ended with an error."""
 
 
 def ccx(folder, text, limit):
-    """Run a deck; processor seconds."""
+    """Run an input file; returns processor seconds."""
     if not shutil.which("ccx"):
         raise Failed("no ccx; tests/benchmark/peers/install says how to get it")
     (folder/"run.inp").write_text(text)
@@ -57,7 +57,7 @@ def ccx(folder, text, limit):
 
 
 def blocks(file):
-    """What is printed: (title, time, numbers)."""
+    """The printed blocks: (title, time, numbers)."""
     title, rows = None, []
     with open(file) as lines:
         for line in lines:
@@ -73,8 +73,9 @@ def blocks(file):
 
 
 def histories(scene, file):
-    """From the printed states. Energies and momentum are those of the lumped
-    masses: CalculiX prints those of a mass matrix that it does not use."""
+    """Histories from the printed states. Energies and momentum use the lumped
+    masses, since CalculiX prints those of a mass matrix that it does not
+    use."""
     nodes, volumes = scene.mesh.volumes()
     mass = scene.rho*nodes
 
@@ -94,7 +95,7 @@ def histories(scene, file):
         elif "displacements" in title:
             of = {int(row[0]) - 1: row[1:] for row in rows}
             for name, point in scene.probes.items():
-                # That of the rim is outwards
+                # The displacement of the rim is outwards
                 now[name] = of[point][0 if name == "rim" else a]
         elif "internal energy" in title:
             now["internal"] = rows[0, 0]/E0
@@ -111,7 +112,7 @@ def histories(scene, file):
     if not np.all(np.isfinite(table["energy"])) \
             or abs(table["energy"]).max() > 10:
         raise Failed("not stable")
-    # Contact may change the steps, and with them the times
+    # Contact may change the steps, and therefore the times
     times = scene.end*np.arange(1, scene.samples + 1)/scene.samples
     start = {"velocity": scene.velocity[scene.probes["probe"], a], "energy": 1}
     at = np.append(0, table["Time"])
@@ -122,10 +123,10 @@ def histories(scene, file):
 
 
 def stepsTaken(log, end):
-    """By the step that CalculiX takes, which may be less than the largest
-    that it is told."""
+    """Number of steps from the step that CalculiX takes, which may be smaller
+    than the given largest step."""
     step = float(re.search(r"SELECTED time increment:\s*(\S+)", log)[1])
-    # It prints seven digits
+    # CalculiX prints seven digits
     return math.ceil(end/step - 1e-3)
 
 
@@ -148,7 +149,7 @@ def run(name, mesh, limit=LIMIT):
 
 
 def write(table, said, what, file):
-    """As plainFEM does."""
+    """Write the histories as plainFEM does."""
     with open(file, "w") as out:
         out.write(f"# CalculiX {what}; " + ", ".join(
             f"{k} {v:.5g}" for k, v in said.items()) + "\n"

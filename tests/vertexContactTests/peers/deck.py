@@ -1,4 +1,4 @@
-"""Decks of CalculiX."""
+"""Input files of CalculiX."""
 
 import math
 
@@ -14,13 +14,14 @@ def rows(start, values):
 
 
 def steps(scene):
-    """As many as have all samples at their ends, and the time of one."""
+    """Number of steps such that all samples are at the end of a step, and the
+    length of a step."""
     every = math.ceil(scene.end/scene.samples/scene.step)
     return every, scene.end/scene.samples/every
 
 
 def plate(scene):
-    """One element behind the plane, which does not move."""
+    """One fixed element behind the plane."""
     count = len(scene.mesh.points)
     away = [0, 0, 0]
     away[scene.axis] = 0.2*scene.mesh.points.max()
@@ -45,7 +46,7 @@ def plate(scene):
 
 
 def deck(scene, end, prints):
-    """Lines of a run to a time. prints: with histories."""
+    """Lines of an input file for a run to a time. prints: with histories."""
     mesh = scene.mesh
     every, step = steps(scene)
     held = {(p, d) for points, d in scene.fixed for p in points}
@@ -67,7 +68,7 @@ def deck(scene, end, prints):
               for d, v in enumerate(value) if v and (p, d) not in held]
     lines += ["*STEP,NLGEOM,INC=100000000",
               f"*DYNAMIC,EXPLICIT,ALPHA={scene.alpha:g}",
-              # The last number is the largest step; the one before would
+              # The last number is the largest step. The number before it would
               # scale masses
               f"{step:.10g},{end:.10g},,{step:.10g}"]
     if prints:

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-# As finite elements number them
+# Numbered as finite elements are
 CORNERS = ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0),
            (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1))
 
@@ -12,18 +12,18 @@ CORNERS = ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0),
 @dataclass
 class Mesh:
     points: np.ndarray
-    elements: np.ndarray    # of eight points each, from 0
+    elements: np.ndarray    # rows of eight points each, from 0
 
     def nearest(self, place):
         return int(np.argmin(np.linalg.norm(self.points - place, axis=1)))
 
     def where(self, axis, value):
-        """Points of a plane."""
+        """Indices of the points in a plane."""
         return np.flatnonzero(abs(self.points[:, axis] - value) < 1e-9)
 
     def volumes(self):
-        """Of the nodes and of the elements: integrals of the shape functions
-        and of one."""
+        """Volumes of the nodes and of the elements: integrals of the shape
+        functions and of one."""
         signs = 2*np.array(CORNERS) - 1
         corners = self.points[self.elements]
         shares = np.zeros((len(self.elements), 8))
@@ -42,7 +42,8 @@ class Mesh:
 
 
 def block(counts, place):
-    """counts: elements along each coordinate; place: from the unit cube."""
+    """A block. counts: elements along each coordinate; place: map from the
+    unit cube."""
     size = [n + 1 for n in counts]
     number = np.arange(np.prod(size)).reshape(size)
     unit = np.stack(np.meshgrid(
@@ -54,7 +55,7 @@ def block(counts, place):
 
 
 def joined(*blocks):
-    """One mesh: points of different blocks at a place are one."""
+    """One mesh of several blocks: points at the same place become one."""
     points = np.concatenate([b.points for b in blocks])
     starts = np.cumsum([0] + [len(b.points) for b in blocks])
     elements = np.concatenate(

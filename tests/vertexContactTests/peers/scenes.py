@@ -1,4 +1,4 @@
-"""The cases, with geometry, constants and velocities of the tutorials."""
+"""The cases, with the geometry, constants and velocities of the tutorials."""
 
 from dataclasses import dataclass
 
@@ -9,7 +9,7 @@ from vertexContactTests.peers.meshes import Mesh, block, joined
 
 @dataclass
 class Scene:
-    """A body, what it meets, and where to look at it."""
+    """A body, its obstacle, and the observed points."""
 
     mesh: Mesh
     material: tuple         # lines of the deck
@@ -20,10 +20,10 @@ class Scene:
     step: float             # of time, at most
     axis: int               # direction of the impact
     probes: dict            # points
-    bodies: int = 1         # that the case has, of which this is one
+    bodies: int = 1         # number of bodies in the case; this is one of them
     thickness: float = 1    # histories are per metre
-    # A fixed plate that stands for the plane: the corners of its face, to
-    # the body; and the points of the body that may touch it
+    # A fixed plate instead of the plane: the corners of its face, towards the
+    # body; and the points of the body that may touch it
     plate: tuple = ()
     touching: tuple = ()
     stiffness: float = 0    # of contact [Pa/m]
@@ -34,7 +34,7 @@ class Scene:
 
 
 def neoHooke(E, nu):
-    """W = mu/2 (J^(-2/3) F:F - 3) + kappa/2 (J - 1)^2, as ours."""
+    """W = mu/2 (J^(-2/3) F:F - 3) + kappa/2 (J - 1)^2, as in our law."""
     return ("*HYPERELASTIC,NEO HOOKE",
             f"{E/4/(1 + nu):.12g},{6*(1 - 2*nu)/E:.12g}")
 
@@ -56,13 +56,13 @@ def column(n):
         np.stack([omega*Z, 0*Y, -omega*X], 1),
         tuple((base, d) for d in range(3)), 0.1,
         0.5/n/waves(E, nu, rho), 0, {"probe": mesh.nearest((0.5, 6, 0.5))},
-        # More would be more steps
+        # A larger value would need more steps
         samples=20)
 
 
 def rings(n):
-    """tutorials/ringCollision: ring 1 against the plane of symmetry, of one
-    layer of elements as thick as they are wide."""
+    """tutorials/ringCollision: ring 1 against the plane of symmetry. One layer
+    of elements, as thick as they are wide."""
     E, nu, rho = 1e6, 0.4, 1000
     quarter = {10: 31, 20: 63, 40: 127, 80: 255}.get(n, n*63//20)
     layer = 0.01/n
@@ -84,7 +84,7 @@ def rings(n):
         tuple((wall, 0.06*s, layer*t) for s, t in
               ((-1, -1), (1, -1), (1, 2), (-1, 2))),
         tuple(np.flatnonzero(outer & (mesh.points[:, 0] > 0))),
-        # Half of that of the elements: ten times as much gains energy
+        # Half of the stiffness of the elements: ten times as much gains energy
         0.5*E/layer, alpha=-0.3)
 
 
@@ -107,7 +107,7 @@ def quarterRod(n):
         return far, length*y, near
 
     def left(x, y, z):
-        # The other way round, or its elements were inside out
+        # In the other order the elements would be inside out
         far, near = ring(x, 1 - z)
         return near, length*y, far
 
@@ -128,7 +128,7 @@ def taylor(n):
         mesh, ("*ELASTIC", f"{E:g},{nu:g}", "*PLASTIC",
                f"{yields:g},0", f"{yields + 10*modulus:g},10"), rho, velocity,
         tuple((mesh.where(d, 0), d) for d in range(3)), 80e-6,
-        # The foot becomes a tenth as high
+        # The height of the foot becomes a tenth
         0.1*3.2e-3/n/waves(E, nu, rho), 1,
         {"probe": mesh.nearest((0, 32.4e-3, 0)),
          "rim": mesh.nearest((3.2e-3, 0, 0))}, hardening=(yields, modulus),

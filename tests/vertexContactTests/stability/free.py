@@ -8,12 +8,12 @@ from vertexContactTests.smallCases import (RUBBER, Body, condition, distorted,
 
 from .judge import BALANCE, momentumChange, outcome, small
 
-# Elements of a side
+# Number of elements per side
 FINE = {1: 20, 2: 6, 3: 4}
 
 
 def rubber(nu):
-    """Neo-Hookean, and the speeds of its waves."""
+    """Neo-Hookean rubber and its wave speeds."""
     material = {**RUBBER, "nu": nu}
     shear = 0.5/(1 + nu)
     pressure = 2*shear*(1 - nu)/(1 - 2*nu)
@@ -21,9 +21,10 @@ def rubber(nu):
 
 
 def anyModes(speed, dimensions, seed=1):
-    """Random velocities of all nodes: every mode of the mesh takes part."""
+    """Random velocities of all nodes, which excite every mode of the mesh."""
     def velocity(X):
-        # By position, so that the points of one node have the same
+        # Sorted by position, so that the points of one node have the same
+        # velocity
         place = np.unique(np.round(X[:, :dimensions], 9), axis=0,
                           return_inverse=True)[1].ravel()
         random = np.random.default_rng(seed).uniform(
@@ -37,8 +38,8 @@ HOLD = condition("fixedVelocity", velocity=(0, 0, 0))
 
 def held(dimensions, nu, stretch, sides):
     """A distorted block with velocities in all of its modes, at a tenth of the
-    speed of shear waves: free, or held at both ends at some other length, its
-    sides as much wider or narrower."""
+    shear wave speed. It is free, or held at both ends at another length, with
+    its sides wider or narrower by a factor."""
     n = FINE[dimensions]
     material, cp, cs = rubber(nu)
     rough = anyModes(0.1*cs, dimensions)
@@ -185,12 +186,12 @@ def sliver(folder, kind, angle, **how):
 
 # Motions that last
 
-# A step of the undeformed body with the defaults, in transits of a cell
+# A default step of the undeformed body, in transits of a cell
 STEP = {1: 0.6, 2: 0.46, 3: 0.375}
 
 
 def energies(steps):
-    """Once in so many steps."""
+    """Write energies once in so many steps."""
     return {"functions": {"solidEnergies": {
         "type": "solidEnergies", "libs": "(vertexContact)",
         "writeControl": "timeStep", "writeInterval": max(1, steps//20000)}}}

@@ -13,7 +13,7 @@ RECONSTRUCTIONS = "full", "linear", "none"
 
 
 def cells(**lists):
-    """All combinations, as dictionaries."""
+    """All combinations of the parameters, as dictionaries."""
     return [dict(zip(lists, values)) for values in product(*lists.values())]
 
 
@@ -23,7 +23,7 @@ def presets():
 
 
 def steps():
-    """In one dimension all cells are the same."""
+    """In one dimension all cell options are the same."""
     share = 0.9, 1, 1.05, 1.1, 1.2, 1.3, 1.4, 1.5, 1.6, 1.8, 2
     scan = cells(nu=(0.3, 0.4999), stretch=(1, 0.6, 1.6), maxCo=share)
     return [{"dimensions": d, "scheme": {"cells": kind, "correction": c},
@@ -67,8 +67,8 @@ def aspects():
 
 
 def vibrations():
-    """A million steps of few cells; fewer of those that cost more, and of
-    those with one or two cells across, which swing for ever."""
+    """A million steps of few cells; fewer steps for expensive cases, and for
+    bodies with one or two cells across, which vibrate for ever."""
     rows = [(mesh, 0.3, preset, 10**5) for preset in PRESETS
             for mesh in ("1", "2", "1x2", "2x2")]
     rows += [(mesh, 0.3, "balanced", 10**5) for mesh in ("1x1x1", "2x2x2")]
@@ -90,8 +90,9 @@ def spins():
 
 
 def rests():
-    """A million steps of each. Cells of the base of 1 to 1/4 of the length of
-    the block's; two weights, by Young's modulus."""
+    """A million steps each. The cells of the base have 1 to 1/4 of the length
+    of the block's cells. There are two weights, relative to Young's
+    modulus."""
     weights = 0.05, 0.005
     rows = [("plane", 0.5, "2x2", 1, 0.05)]
     rows += [("plane", k, "4x4", 1, weight) for k in (0, 0.5)
@@ -114,9 +115,9 @@ def rests():
 
 
 def helpedRests():
-    """What does not come to rest by itself within a million steps, and blocks
-    on slopes of half and, of light ones, nine tenths of the angle of friction:
-    a heavy one digs in and slips."""
+    """Cases that do not come to rest by themselves within a million steps; and
+    blocks on slopes of half and, for light blocks, nine tenths of the angle of
+    friction. A heavy block would dig in and slip."""
     weights = 0.05, 0.005
     rows = [(on, k, ratio, weight, 0)
             for on, k, ratio in (("body", 0.5, 4), ("tied", 0, 4),

@@ -1,6 +1,6 @@
 """Bodies that hit each other: fast and slow, light and heavy, with surfaces
-that do not match, from afar and from inside each other, one cell each, ten in a
-row, and in other units."""
+that do not match, with gaps and from inside each other, with one cell each,
+ten in a row, and in other units."""
 
 import numpy as np
 
@@ -16,8 +16,8 @@ FORCES = {"functions": ("contactForces",)}
 
 
 def upTo(limit, paper, how):
-    """The limit of a figure; that of the paper's scheme, in which surfaces
-    drift into each other, is another."""
+    """The limit of a figure. The paper's scheme has another limit, since its
+    surfaces drift into each other."""
     return paper if how.get("preset") == PRESET else limit
 
 
@@ -27,7 +27,8 @@ def meanVelocity(case, body, mass, time=-1):
 
 def bar(name, cells, start=0, length=1, speed=0, material=RUBBER, gap=0,
         width=None, **more):
-    """A bar along x; cells along it, and across in 2D. Both ends touch."""
+    """A bar along x, with cells along it, and across it in 2D. Both ends may
+    touch."""
     size = (length, width or length*(cells[-1]/cells[0]), 1)
     return Body(cells=cells, name=name, start=(start + gap, 0, 0),
                 size=size[:len(cells)] + (1,)*(3 - len(cells)),
@@ -36,13 +37,14 @@ def bar(name, cells, start=0, length=1, speed=0, material=RUBBER, gap=0,
 
 
 def ends(left, right, **settings):
-    """A bar's right end against the left end of the next."""
+    """The interface between the right end of a bar and the left end of the
+    next."""
     return {left + right: interface((left, "right"), (right, "left"),
                                     **settings)}
 
 
 def outer(first, last):
-    """The free ends of a row of bars are no contact patches."""
+    """The outer ends of a row of bars are no contact patches."""
     first.sides = {"right": "contact"}
     last.sides = {"left": "contact"}
 
@@ -100,8 +102,8 @@ def mach(folder, cells, speed, **how):
         yield "momentum", momentumChange(case, mass*speed*cp), 0, 1e-12
         yield ("rebound", back, 0.9 if len(counts) == 1 and speed <= 0.01
                else upTo(0.6, 0.2, how), 1)
-        # The half cells at the ends meet first: with the paper's scheme a
-        # third of a cell at Mach 1
+        # The half cells at the ends touch first. With the paper's scheme they
+        # penetrate by a third of a cell at Mach 1
         yield ("penetration", case.contact("leftright")["penetration"].max()
                * counts[0], 0, upTo(0.01, 0.06 + 0.36*speed, how))
         yield from apart(case, "leftright")
@@ -271,7 +273,7 @@ def cradle(folder, dimensions, gap, bodies=10, **how):
         mass = np.prod(row[0].size)
         v = [meanVelocity(case, name, mass)/speed for name in names]
         yield "momentum", momentumChange(case, mass*speed), 0, 1e-12
-        # Nine impacts with gaps dissipate more than one wave through all
+        # Nine impacts with gaps dissipate more than one wave through all bars
         yield "velocity of the last", v[-1], 0.9 if gap == 0 else 0.75, 1.01
         yield "largest of the others", largest(v[:-1]), 0, 0.1
     return outcome(case, check)

@@ -1,4 +1,5 @@
-"""Run a case to its end or to its error, and say which of four it was."""
+"""Run a case to its end or to its error, and find which of the four outcomes
+it has."""
 
 import re
 from dataclasses import dataclass, field
@@ -9,7 +10,8 @@ import numpy as np
 from vertexContactTests.caseTools import DEFAULT
 from vertexContactTests.smallCases import Body, SmallCase, largest
 
-# Rise of the energy, and residual of its balance, by the energy of the scene
+# Limits of the rise of the energy and of the residual of its balance, relative
+# to the energy of the scene
 RISE, BALANCE = 0.005, 0.05
 
 STABLE, GAINS, STOPPED, WRONG = "stable", "gains energy", "stopped", "wrong"
@@ -18,8 +20,8 @@ OUTCOMES = STABLE, GAINS, STOPPED, WRONG
 
 @dataclass
 class Result:
-    """What became of a run: outcome, measured figures with their least and
-    most (None: any), and what was out of bounds, or the message."""
+    """Result of a run: the outcome, the measured figures with their limits
+    (None: no limit), and the figures out of bounds, or the message."""
 
     outcome: str
     figures: dict = field(default_factory=dict)
@@ -31,9 +33,9 @@ class Result:
 
 def small(folder, bodies, endTime, control=None, maxCo=None, preset=DEFAULT,
           scheme=None, **more):
-    """A case with the solver's own defaults. How it is run, which all scenes
-    take: maxCo, only where one is asked for; preset; and options of the scheme
-    of all bodies."""
+    """A case with the solver's own defaults. All scenes accept these options:
+    maxCo, if it differs from the default; preset; and options of the scheme
+    for all bodies."""
     bodies = [bodies] if isinstance(bodies, Body) else bodies
     for body in bodies:
         body.scheme = {**body.scheme, **(scheme or {})}
@@ -48,14 +50,14 @@ def small(folder, bodies, endTime, control=None, maxCo=None, preset=DEFAULT,
 
 
 def message(log):
-    """First line of the only fatal error, or nothing."""
+    """First line of the only fatal error; empty if there is none."""
     found = re.findall(r"--> FOAM FATAL(?: IO)? ERROR:?[^\n]*\n(.*?)\n", log)
     return found[0].strip() if len(found) == 1 else ""
 
 
 def ownEnergy(case):
-    """Kept energy of all bodies less the work of loads from outside: what
-    bodies do to each other may only lower it."""
+    """Kept energy of all bodies minus the work of external loads. Interaction
+    between the bodies may only lower it."""
     return case.keptEnergy - case.energies["total:externalWork"]
 
 
@@ -76,10 +78,10 @@ def bounded(value, least, most):
 
 def outcome(case, check=None, scale=None, riseLimit=RISE,
             balanceLimit=BALANCE, parts=None):
-    """Run, and judge. check(case) gives (name, value, least, most) of what
-    must hold in this scene; scale is an energy, or scale(case), else the
-    initial one; parts: the rise is that of the largest energies of so many
-    parts of the run."""
+    """Run and judge a case. check(case) gives (name, value, least, most) for
+    the conditions of this scene. scale is an energy, or scale(case); by
+    default it is the initial energy. With parts, the rise is computed from the
+    largest energies in so many parts of the run."""
     try:
         code, log = case.attempt()
     except TimeoutExpired:

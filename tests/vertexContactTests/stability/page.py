@@ -1,4 +1,4 @@
-"""The page and the pictures, from the rows of the table."""
+"""Writes the page stability.md and its pictures from the rows of the table."""
 
 import inspect
 import json
@@ -91,7 +91,7 @@ POOR = (
     """Bodies that start inside each other are pushed apart, with energy that
     no body has given (gap).""")
 
-# What is behind that which is not stable
+# Explanations of the unstable runs
 NOTES = {
     "release": """The length of a step is what is stable in the state at its
     beginning. Where pressures of hundreds of times the modulus are released,
@@ -126,12 +126,13 @@ NOTES = {
     are wrong; with the full reconstruction energy rises where all modes of a
     mesh are excited."""}
 
-# All figures of each run; else the last parameter in columns
+# Groups whose table has all figures of each run. Otherwise the last parameter
+# is in columns
 LISTED = "single", "cradle", "settling", "resting", "spin", "vibration"
 
 
 class Row:
-    """A run as in the table, read."""
+    """A run, read from the table."""
 
     def __init__(self, row):
         self.group, self.outcome = row["group"], row["outcome"]
@@ -156,14 +157,14 @@ def table(head, lines):
 
 
 def span(bounds):
-    """The bounds of all runs, which may differ from run to run."""
+    """The range of the bounds of all runs, which may differ between runs."""
     known = sorted({b for b in bounds if b is not None})
     ends = dict.fromkeys(known[:1] + known[-1:])
     return " … ".join(f"{b:.3g}" for b in ends)
 
 
 def limits(rows):
-    """What is asked for, of all runs of a group."""
+    """The limits for all runs of a group."""
     found = {}
     for row in rows:
         for name, (_, *bounds) in row.figures.items():
@@ -178,7 +179,7 @@ def limits(rows):
 
 
 def pivot(rows):
-    """The last parameter in columns, all others in lines."""
+    """A table with the last parameter in columns, and all others in rows."""
     *names, last = rows[0].parameters
     columns = list(dict.fromkeys(r[last] for r in rows))
     lines = {}
@@ -202,7 +203,7 @@ def listed(rows):
 
 
 def bad(rows):
-    """What is not stable, and why: one line for each reason."""
+    """The unstable runs and the reasons: one line per reason."""
     reasons = {}
     for r in rows:
         if r.outcome != STABLE:
@@ -219,7 +220,7 @@ def bad(rows):
 
 
 def worst(rows):
-    """Largest figures of the runs that are stable."""
+    """Largest figures of the stable runs."""
     good = [r for r in rows if r.outcome == STABLE]
     names = [f for f in dict.fromkeys(f for r in good for f in r.figures)
              if f not in ("steps", "angle")]
@@ -230,7 +231,8 @@ def worst(rows):
 # The largest stable step
 
 def largestStep(rows, *names):
-    """The largest maxCo up to which all are stable, by these parameters."""
+    """The largest maxCo up to which all runs are stable, by these
+    parameters."""
     found = {}
     keys = dict.fromkeys(tuple(r[n] for n in names) for r in rows)
     for key in keys:
@@ -303,7 +305,7 @@ def presetPicture(rows, file):
 
 
 def stepPicture(rows, file):
-    """The least of all corrections and lengths."""
+    """The smallest value over all corrections and lengths."""
     found = largestStep(rows, "nu", "cells", "dimensions")
     nus = list(dict.fromkeys(k[0] for k in found))
     figure, axes = plt.subplots(1, len(nus), squeeze=False, sharey=True,

@@ -13,8 +13,8 @@ from .judge import outcome, ownEnergy, small
 
 
 def every(steps, points):
-    """Energies, contact forces, and displacements of points of the block, once
-    in so many steps."""
+    """Write energies, contact forces, and displacements of points of the
+    block, once in so many steps."""
     functions = {name: {"type": name} for name in ("solidEnergies",
                                                    "contactForces")}
     functions["block"] = {"type": "pointProbes", "region": "block",
@@ -29,8 +29,8 @@ def clamp(side):
 
 
 def support(on, law, base):
-    """The interface of the block with what it lies on, and the bodies that
-    there are in addition."""
+    """The interface between the block and its support, and the additional
+    bodies."""
     if on == "plane":
         return {"contact": {"side": ("block", "bottom"), "obstacle": FLOOR,
                             "law": law}}, []
@@ -113,12 +113,12 @@ def settling(folder, on, friction, cells, ratio, weight, steps, slope=0,
         on, {"type": "tied"} if on == "tied" else coulomb(friction), base)
     time = steps*STEP[len(n)]/n[0]/cp
     if on != "plane":
-        # By the means of the squares of one over the lengths of the base cells
+        # From the mean of the squares of the inverse lengths of the base cells
         time /= np.sqrt(((len(n) - 1)*ratio**2 + 1)/len(n))
     corners = tuple(product((0, 1), (0, 1), (0, 1)[:len(n) - 1]))
     control = every(max(1, steps//5000), corners)
     if helped:
-        # Of the slowest waves, which go to and fro in a time of some units
+        # For the slowest waves, whose period is some units of time
         control["damping"] = {'".*"': {"coefficient": table(
             (0, 1), (0.2*time, 1), (0.25*time, 0))}}
     angle = slope*np.arctan(friction)
@@ -141,7 +141,7 @@ def settling(folder, on, friction, cells, ratio, weight, steps, slope=0,
         yield ("drift", largest(late)*n[1], 0,
                None if swings else 1e-9 if rests else 0.01)
         if on in ("plane", "body"):
-            # That of a corner that digs in
+            # The penetration of a corner that digs in
             yield ("penetration", case.contact("contact")[
                 "penetration"].max()*n[1], 0, 1e-12 if on == "plane" else 0.15)
     return outcome(case, check, lambda case: -ownEnergy(case)[-1],

@@ -1,2 +1,2 @@
-"""What accuracy costs: cases, options and programs to compare with, of
+"""The cost of accuracy: cases, options and compared programs of
 tests/benchmark/trade/trade.py."""

@@ -1,4 +1,4 @@
-"""A small fixed case of the solver: the unit in which costs are given."""
+"""A small fixed case of the solver, which is the unit of costs."""
 
 import re
 import tempfile
@@ -35,6 +35,6 @@ class Calibration:
                      "timePrecision": 12})
 
     def run(self):
-        """Seconds of the steps."""
+        """Seconds of all steps."""
         log = checked(["vertexContactFoam"], self.case.path)
         return float(re.search(r"Steps: \d+ in (\S+) s", log)[1])

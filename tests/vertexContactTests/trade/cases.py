@@ -1,5 +1,5 @@
-"""The cases of the trade: how each is run with given options, its histories,
-and how far these are from those of a reference."""
+"""The cases of the trade: how each runs with given options, its histories, and
+their errors relative to a reference."""
 
 import re
 from dataclasses import dataclass, field
@@ -12,16 +12,16 @@ from vertexContactTests.caseTools import (Case, Scene, copyTutorials, execute,
                                           relativeL1, root)
 from vertexContactTests.trade.variants import CONTACT, CONTROL, SCHEME
 
-# Tables, pictures and references
+# Folder of tables, pictures and references
 FOLDER = root/"tests"/"benchmark"/"trade"
 references = FOLDER/"reference"
 
-# Of histories, evenly over the run; many where solutions jump
+# Number of samples of histories, evenly over the run; many if solutions jump
 SAMPLES = 400
 SAMPLES_OF_JUMPS = 4000
 INTERVALS = 100
 
-# The mean of these counts
+# The errors whose mean is the error of a run
 COMBINED = "velocity", "force", "energy"
 
 
@@ -30,8 +30,8 @@ class Stopped(RuntimeError):
 
 
 def meanForce(history):
-    """Mean force in each of INTERVALS parts of the run: no single step, nor how
-    long it is, decides on a peak."""
+    """Mean force in each of INTERVALS parts of the run. So the peak does not
+    depend on a single step or on the step length."""
     every = len(history["Time"])//INTERVALS
     times, impulse = (history[k][every - 1::every]
                       for k in ("Time", "impulse"))
@@ -40,22 +40,22 @@ def meanForce(history):
 
 @dataclass(frozen=True)
 class TradeCase:
-    """A tutorial, its meshes, and where to look at it."""
+    """A tutorial, its meshes, and the observed points."""
 
     name: str
     title: str
     tutorial: str
-    base: str                   # mesh on which options are varied
-    meshes: tuple               # others, for the presets
-    finest: str                 # of the reference
+    base: str                   # mesh for the variation of options
+    meshes: tuple               # other meshes, for the presets
+    finest: str                 # mesh of the reference
     region: str                 # of the probe
     point: tuple
     axis: int                   # direction of the impact
-    sides: tuple                # (interface, side) whose forces count
+    sides: tuple                # (interface, side) whose forces are compared
     choices: dict = field(default_factory=dict)
-    more: tuple = ()            # changes of options that only this case has
-    extra: dict = field(default_factory=dict)   # further probes
-    conforming: tuple = ()      # meshes that match, as those of plain FEM
+    more: tuple = ()            # options that only this case varies
+    extra: dict = field(default_factory=dict)   # additional probes
+    conforming: tuple = ()      # matching meshes, as those of plain FEM
 
     samples = SAMPLES
 
@@ -63,7 +63,7 @@ class TradeCase:
         return Case(copyTutorials(folder/"tutorials")/self.tutorial)
 
     def prepare(self, folder, options):
-        """The case folder, not yet run."""
+        """The case folder before the run."""
         case = self.copy(folder, options)
         chosen = {k: v for k, v in options.items() if v != ""}
 
@@ -86,12 +86,12 @@ class TradeCase:
             case.replace(file, r"(?m)^ +pairing +\S+;", " ".join(
                 f"{k} {v};" for k, v in of(CONTACT).items()))
             if chosen["pairing"] == "nearestFace":
-                # It looks along normals
+                # nearestFace uses the normals
                 case.replace(file, r"(?m)^( +direction .*)?$", "")
         return case
 
     def functions(self):
-        """Only those whose files are read here."""
+        """Only the function objects whose files are read here."""
         each = {"writeControl": "timeStep", "writeInterval": 1}
         made = {name: {"type": name, "libs": ["vertexContact"], **each}
                 for name in ("solidEnergies", "contactForces")}
@@ -107,7 +107,7 @@ class TradeCase:
                           options["preset"], options["mesh"])
 
     def start(self, case, preset, mesh):
-        """A case that has been prepared."""
+        """Run a prepared case."""
         done = execute(["./Allrun"], case.path, PLOT="0", MESH=mesh,
                        PRESET=preset)
         if done.returncode != 0:
@@ -119,7 +119,7 @@ class TradeCase:
         return end*np.arange(1, self.samples + 1)/self.samples
 
     def histories(self, case):
-        """At the same times for all runs of a case."""
+        """Histories at the same times for all runs of a case."""
         times = self.times(case)
 
         def at(name, quantity, component):
@@ -138,7 +138,7 @@ class TradeCase:
             return np.interp(times, case.energies["Time"], values/E0)
 
         return {"Time": times, "velocity": at("probe", "pointU", self.axis),
-                # Of a symmetric tensor: xx xy xz yy yz zz
+                # Index in a symmetric tensor: xx xy xz yy yz zz
                 "stress": at(self.stressProbe, "sigma",
                              (0, 3, 5)[self.axis]),
                 "impulse": impulse,
@@ -153,7 +153,7 @@ class TradeCase:
     displacements = {}
 
     def reference(self, case):
-        """Histories that the case is to have, of which the file is kept."""
+        """Histories of the reference, whose file is kept."""
         return readResults.csv(references/f"{self.name}.csv")
 
     @property
@@ -161,13 +161,13 @@ class TradeCase:
         return references/f"{self.name}-plainFEM.csv"
 
     def peerReference(self):
-        """Histories of the finest mesh of peers/plainFEM; None where the
-        solution is known, or if they were not made."""
+        """Histories on the finest mesh of peers/plainFEM. None if the exact
+        solution is known, or if they were not computed."""
         file = self.peerFile
         return readResults.csv(file) if file.exists() else None
 
     def errors(self, case):
-        """Of a run, relative to the reference."""
+        """Errors of a run relative to the reference."""
         energy = case.keptEnergy/case.keptEnergy[0]
         ours, peer = self.histories(case), self.peerReference()
         return {
@@ -179,8 +179,8 @@ class TradeCase:
                 for interface, _ in self.sides)}
 
     def difference(self, ours, right):
-        """Errors of histories, whoever wrote them, relative to others at the
-        same times; stresses if both have them."""
+        """Errors of histories of any program relative to others at the same
+        times; of stresses, if both have them."""
         times = right["Time"]
 
         def off(a, b):
@@ -194,7 +194,7 @@ class TradeCase:
             "force": relativeL1(parts, force, rightForce),
             "peak": off(np.abs(force).max(), np.abs(rightForce).max()),
             "impulse": off(ours["impulse"][-1], right["impulse"][-1]),
-            # What is not lost: plastic work is not
+            # Energy that is not lost; plastic work is not lost either
             "energy": sum(ours[k][-1] - right[k][-1]
                           for k in ("energy", "plasticWork"))}
         found |= self.moreErrors(ours, right)
@@ -206,7 +206,7 @@ class TradeCase:
 
 
 class TwoBars(TradeCase):
-    """The solution is known."""
+    """Two bars, whose exact solution is known."""
 
     samples = SAMPLES_OF_JUMPS
 
@@ -218,7 +218,7 @@ class TwoBars(TradeCase):
         exact = TwoBarImpact.fromCase(case.path)
         times = self.times(case)
         X = exact.bars[0].end
-        # Of a cross-section of one square metre; finely enough for the jumps
+        # For a cross-section of one square metre; fine enough for the jumps
         fine = np.linspace(0, exact.endTime, 100*self.samples + 1)
         force = np.minimum(exact.stress(0, X, fine), 0)
         integral = np.append(0, np.cumsum(
@@ -230,7 +230,7 @@ class TwoBars(TradeCase):
                 "plasticWork": np.zeros_like(times)}
 
     def histories(self, case):
-        """Per square metre of cross-section, in any dimension."""
+        """Histories per square metre of cross-section, in any dimension."""
         exact = TwoBarImpact.fromCase(case.path)
         area = case.totalEnergy[0]/sum(
             exact.energies(bar, [0])[0][0] for bar in (0, 1))
@@ -239,8 +239,8 @@ class TwoBars(TradeCase):
 
 
 class Taylor(TradeCase):
-    """A rod that becomes shorter and wider. Its velocity is that of the free
-    end, its stress that of the foot."""
+    """A rod that becomes shorter and wider. The velocity is that of its free
+    end, the stress that of its foot."""
 
     stressProbe = "foot"
     displacements = {"probe": 1, "rim": 0}
@@ -257,7 +257,7 @@ class Taylor(TradeCase):
 
 
 def entry(text):
-    """As foamlib wants it: numbers and switches are no words."""
+    """A value as foamlib needs it: numbers and switches are not words."""
     if text in ("yes", "no"):
         return text == "yes"
     try:
@@ -267,7 +267,7 @@ def entry(text):
 
 
 def readEntry(file, key):
-    """A number of a dictionary."""
+    """A number from a dictionary."""
     return float(re.search(rf"(?m)^{key}\s+(\S+);", file.read_text())[1])
 
 
@@ -300,7 +300,7 @@ CASES = {case.name: case for case in (
     TradeCase(
         "nonMatching", "non-matching bars", "nonMatchingBars", base="2",
         meshes=("1", "3", "4"), finest="10", region="bar2",
-        # Of the free end: corners that touch converge much slower
+        # For the free end: touching corners converge much more slowly
         point=(0.0652, 0.0032, 0.0032), axis=0,
         sides=(("bars", "bar2.left"),), choices={"pairing": "AMI"},
         more=({"pairing": "nearestFace"},

@@ -1,4 +1,4 @@
-"""Which runs are worth their cost."""
+"""The runs that are worth their cost."""
 
 from math import log
 
@@ -8,7 +8,7 @@ LARGEST_RISE = 1e-3
 
 
 def numbers(rows):
-    """Rows of runs that ended well, errors and costs as numbers."""
+    """Rows of successful runs, with errors and costs as numbers."""
     found = []
     for row in rows:
         if row.get("status", "done") == "done":
@@ -28,7 +28,8 @@ def trusted(rows):
 
 
 def front(rows, error="error"):
-    """Runs to which no other is both cheaper and better, by cost."""
+    """Runs for which no other run is both cheaper and better, sorted by
+    cost."""
     best, found = float("inf"), []
     for row in sorted(trusted(rows), key=lambda r: (r["cost"], r[error])):
         if row[error] < best:
@@ -38,15 +39,15 @@ def front(rows, error="error"):
 
 
 def cheapest(rows, limit, error="error"):
-    """The cheapest run with at most that error; None if there is none."""
+    """The cheapest run with at most this error; None if there is none."""
     good = [r for r in trusted(rows) if r[error] <= limit]
     return min(good, key=lambda r: r["cost"], default=None)
 
 
 def atEqualError(rows, limit, error="error"):
-    """Cost with that error, by powers of it between the runs of the front, and
-    what it is: "" so much, ">" more than the run with the least error, "<" less
-    than the cheapest run."""
+    """The cost of an error, interpolated by powers of the error between the
+    runs of the front, and its kind: "" this cost, ">" more than the run with
+    the least error, "<" less than the cheapest run."""
     best = front([r for r in rows if r.get(error, "") != ""], error)
     if not best:
         return None, ""

@@ -1,5 +1,4 @@
-"""The page a user decides from, and the pictures, from the rows of the
-table."""
+"""Writes the page trade.md and its pictures from the rows of the tables."""
 
 import csv
 from math import log
@@ -16,16 +15,17 @@ LIMITS = (0.4, 0.2, 0.1, 0.05, 0.025, 0.0125, 0.00625)
 
 HEAD = f"""# Speed against accuracy
 
-Written by `tests/benchmark/trade/trade.py`; all runs are in [`trade.csv`](trade/trade.csv). `-h` tells how to run a part of it again.
+Written by `tests/benchmark/trade/trade.py`; all runs are in [`trade.csv`](trade/trade.csv). `trade.py -h` explains how to run a part of them again.
 
-*Error* is the mean of three: the relative L1 differences in time of the velocity of a probe and of the contact force, and the difference of the energy
-that is left at the end, over the initial one (kinetic, strain, plastic work). The solution of the two bars is exact. For the others it is the run
-with `accurate` on the finest mesh, whose own error is estimated below. *Force*, and its *peak*, are of means over hundredths of the run; *impulse* is that at the
-end; *rise* the largest rise of kinetic and strain energy above an earlier value; *penetration* the largest, over the width of a face.
+*Error* is the mean of three errors: the relative L1 differences in time of the velocity of a probe and of the contact force, and the difference of the
+energy that is left at the end (kinetic, strain, plastic work), relative to the initial energy. The reference of the two bars is the exact solution. For the
+other cases the reference is the run with `accurate` on the finest mesh, whose own error is estimated below. *Force* and its *peak* use means over hundredths
+of the run. *Impulse* is the error of the impulse at the end. *Rise* is the largest rise of kinetic and strain energy above an earlier value. *Penetration*
+is the largest penetration, relative to the width of a face.
 
-*Cost* is the time of all steps, over that of a small fixed case next to it in time, so that the minute does not matter; in the tables by that of
-`balanced` on the base mesh. One core. `paper` evaluates the fluxes twice a step. Runs whose energy rises by more than {LARGEST_RISE:g} of the initial one are not on the front, however small
-their error is.
+*Cost* is the time of all steps, divided by the time of a small fixed case that runs right before and after, since a machine is not equally fast at all
+times. The tables give the cost relative to that of `balanced` on the base mesh. All runs use one core. `paper` evaluates the fluxes twice per step. Runs
+whose energy rises by more than {LARGEST_RISE:g} of the initial energy are not on the front, however small their error is.
 """
 
 
@@ -40,7 +40,7 @@ def table(head, lines):
 
 
 def find(rows, chosen):
-    """The row of these options, if there is one that ended well."""
+    """The row of the run with these options; None if no such run ended well."""
     for row in rows:
         if all(str(row["options"][k]) == v for k, v in chosen.items()):
             return row
@@ -68,8 +68,8 @@ def presets(tables):
 
 
 def decisions(tables, compared, error, what):
-    """The cheapest run that reaches each limit, what that costs, and what it
-    costs with plain finite elements, one after the other and eight at once."""
+    """The cheapest run that reaches each limit, its cost, and the cost of plain
+    finite elements, computed one after the other and eight at once."""
     lines = []
     for name, rows in tables.items():
         last, calibration = None, rows[0]["calibration"]
@@ -90,21 +90,21 @@ def decisions(tables, compared, error, what):
             line = [CASES[name].title, percent(limit), row["label"],
                     percent(row[error]), f"{row['seconds']:.2g}", more, *other]
             if row is last:
-                # It reaches the next limit, too
+                # The same run also reaches the next limit
                 lines[-1][1] = percent(limit)
                 lines[-1][-3:] = other
             else:
                 lines.append(line)
             last = row
-    return table(["case", f"{what} at most", "cheapest run", "it has",
-                  "seconds", "times the line above",
+    return table(["case", f"{what} at most", "cheapest run", "its error",
+                  "seconds", "cost / line above",
                   f"{peers.TITLE}: elements", "seconds",
                   "eight at once: seconds"], lines)
 
 
 def equalErrors(tables, compared):
-    """Costs of balanced and fast on all meshes over those of plain finite
-    elements, at the same error against either reference."""
+    """Ratios of the costs of balanced and fast, on all meshes, to the costs of
+    plain finite elements at the same error, with each of the references."""
     lines = []
     for name, rows in tables.items():
         case = CASES[name]
@@ -126,8 +126,8 @@ def equalErrors(tables, compared):
 
 
 def equalError(row, ours, compared, theirs):
-    """The error, the seconds of the first program to compare with, and the
-    ratios of costs to all."""
+    """The error, the seconds of the first of the compared programs, and the
+    ratio of our cost to the cost of each."""
     if row.get(ours, "") == "":
         return [""]*(len(compared) + 2)
     seconds, ratios = "", []
@@ -136,20 +136,20 @@ def equalError(row, ours, compared, theirs):
         if cost is None:
             ratios.append("")
             continue
-        # Where it needs less, we take more times its cost
+        # If the program needs less than a bound, the ratio is more
         other = {"<": "> ", ">": "< ", "": ""}[bound]
         ratios.append(f"{other}{row['cost']/cost:.2g}")
         seconds = seconds or f"{bound} {cost*row['calibration']:.2g}".strip()
     return [percent(row[ours], 3), seconds, *ratios]
 
 
-# Plain finite elements: one after the other, and eight at once
+# Plain finite elements, computed one after the other and eight at once
 KINDS = peers.ONE, peers.NAME
 
 
 def agreements(compared):
-    """How far the references of both programs are apart, and that of the
-    program to compare with from its next coarser mesh."""
+    """The difference between the references of both programs, and between the
+    reference of the compared program and its next coarser mesh."""
     lines = []
     for name, case in CASES.items():
         found = peers.agreement(name)
@@ -167,8 +167,8 @@ def agreements(compared):
 
 
 def programs(tables, packaged):
-    """Runs of programs from packages, and what balanced needs, on meshes
-    between its own by powers of the error, for the same error."""
+    """Runs of programs from packages, and the cost of balanced at the same
+    error, interpolated between its meshes by powers of the error."""
     lines = []
     for name, rows in tables.items():
         ours = onMeshes(CASES[name], rows, "balanced")
@@ -188,8 +188,8 @@ def programs(tables, packaged):
 
 
 def before(tables):
-    """The cheapest run of balanced on a mesh of the trade that is as good as
-    the default scheme was until November 2026 on the base mesh."""
+    """The cheapest run of balanced, on any mesh of the case, that is as good as
+    the default scheme until November 2026 was on the base mesh."""
     lines = []
     with open(FOLDER/"before.csv") as file:
         for old in csv.DictReader(file):
@@ -208,14 +208,14 @@ def before(tables):
                 *([best["options"]["mesh"], percent(best["error"], 3),
                    f"{best['cost']/cost:.3f}"] if best
                   else ["none", "", ""])])
-    return table(["case, mesh", "error then", "now", "cost now / then",
+    return table(["case, mesh", "error then", "error now", "cost now / then",
                   "evaluations now / then", "as good: mesh", "error",
                   "cost / then"], lines)
 
 
 def onMeshes(case, rows, preset, meshes=None):
-    """Runs of a preset, from coarse to fine; on those of the case, or on
-    others."""
+    """Runs of a preset on the meshes of the case, or on the given meshes, from
+    coarse to fine."""
     meshes = meshes or (case.base, *case.meshes)
     mine = [r for r in rows if r["options"]["mesh"] in meshes
             and r["options"] == named(case, preset, r["options"]["mesh"])]
@@ -223,7 +223,7 @@ def onMeshes(case, rows, preset, meshes=None):
 
 
 def meshes(case, rows, unit):
-    """The presets on all meshes, and balanced on those that match."""
+    """Table of the presets on all meshes, and of balanced on matching ones."""
     mine = [r for preset in PRESETS for r in onMeshes(case, rows, preset)]
     if case.conforming:
         mine += onMeshes(case, rows, "balanced", case.conforming)
@@ -231,8 +231,8 @@ def meshes(case, rows, unit):
 
 
 def halvings(tables):
-    """What half of the error costs on a finer mesh: slopes between the
-    coarsest and the finest of a preset, both errors as powers of cost."""
+    """The cost of half of the error by a finer mesh. The error is taken as a
+    power of the cost between the coarsest and the finest mesh of a preset."""
     lines = []
     for name, rows in tables.items():
         cells = [CASES[name].title]
@@ -246,7 +246,7 @@ def halvings(tables):
                       f"{2**(1/power):.1f}"]
         lines.append(cells)
     head = ["refined"] + [text for p in PRESETS
-                          for text in (f"`{p}`: error", "half costs")]
+                          for text in (f"`{p}`: error", "half of it costs")]
     return table(head, lines)
 
 
@@ -273,7 +273,7 @@ def section(case, rows, peer, packaged, stopped):
             f"base mesh {case.base}: `balanced` takes "
             f"{balanced['seconds']:.2g} s. " + reference(case, rows) + "\n",
             f"![error by cost](trade/{case.name}.png)\n",
-            "The front, error and cost: " + "; ".join(
+            "The front (error and cost): " + "; ".join(
                 f"{n} *{r['label']}* ({percent(r['error'])} at "
                 f"{r['cost']/unit:.2g})"
                 for n, r in enumerate(front(rows), 1)) + ".\n",
@@ -288,13 +288,13 @@ def section(case, rows, peer, packaged, stopped):
                              ("length", "radius", "plasticWork")]
              for preset in PRESETS for r in onMeshes(case, rows, preset)])]
     if stopped:
-        text += ["Ended by the solver: " + "; ".join(
+        text += ["Runs that the solver ended: " + "; ".join(
             f"*{r['label']}* ({r['status']})" for r in stopped) + ".\n"]
     return "\n".join(text)
 
 
 def reference(case, rows):
-    """What is known of the error of the reference."""
+    """A sentence about the reference and its error."""
     if not case.finest:
         return "The reference is the exact solution."
     next_ = max(case.meshes, key=float)
@@ -307,28 +307,31 @@ def reference(case, rows):
             f"{percent(row['force'])}, energy {percent(row['energy'])}).")
 
 
-# Where the rows of trade.csv and peers.csv were measured, but for CalculiX
+# On which the rows of trade.csv and peers.csv, except CalculiX, were measured
 MACHINE = "an AMD EPYC with AVX-512"
 
 PEERS = f"""## Against plain finite elements
 
-[`plainFEM`](peers/plainFEM/README.md) is what textbooks have: hexahedra and quadrangles with full integration and mean dilatation, central differences,
-kinematic contact with the plane of symmetry. It has no search, and of two equal bodies it computes one; its time counts twice then. *Plain FEM* takes one
-element after the other, as such programs do. *Eight at once* is the same program with eight elements in the lanes of a vector, which only blocks
-of equal elements allow: as fast as we could make it. Its bars have matching meshes; `conforming` are ours with the same. All ran on one core of
-{MACHINE}; on another machine they compare otherwise.
+[`plainFEM`](peers/plainFEM/README.md) is a textbook program: hexahedra and quadrangles with full integration and mean dilatation, central differences, and
+kinematic contact with the plane of symmetry. It has no contact search. It computes only one of two equal bodies, and its time then counts twice. *Plain
+FEM* computes one element after the other, as such programs do. *Eight at once* is the same program with eight elements in the lanes of a vector. Only blocks
+of equal elements allow this; it is as fast as we could make it. Its bars have matching meshes; `conforming` are our runs with the same meshes. All runs used
+one core of {MACHINE}; other machines give other ratios.
 
-How far the references of both programs are apart, that of `plainFEM` relative to ours, and a coarser mesh of `plainFEM` relative to its own:
+The next table has the differences between the references of both programs: `plainFEM` relative to ours, and a coarser mesh of `plainFEM` relative to its own
+reference.
 """
 
-EQUAL = """At equal error: what plain FEM costs with the error of our run, between its meshes by powers of the error; ratio: our cost over
-that. `<`: plain FEM needs less than its coarsest mesh, the ratio is larger; `>`: more than its finest mesh of these, the ratio is smaller. In seconds
-of the minute in which ours ran. Errors are against our reference, then against that of plain FEM, for both programs.
+EQUAL = """The next table compares costs at equal error. It has the time that plain FEM needs for the error of our run, interpolated between its meshes by powers of
+the error, and the ratio of our cost to this cost. `<`: plain FEM needs less than its coarsest mesh, so the ratio is larger. `>`: it needs more than its
+finest mesh here, so the ratio is smaller. Seconds are at the speed that the machine had when our run was measured. For both programs, errors are first
+relative to our reference, and then relative to that of plain FEM.
 """
 
 
-PACKAGED = """Programs from packages, which [`peers`](peers/README.md) has, with their settings and what they cannot do. Ratio: their cost over that of `balanced` at the
-same error, on meshes between its own; `<`: `balanced` needs less than its coarsest mesh takes, the ratio is larger; `>`: more than its finest mesh.
+PACKAGED = """The last table has programs from packages; [`peers`](peers/README.md) has their settings and what they cannot do. *Ratio* is their cost over the cost of
+`balanced` at the same error, interpolated between its meshes. `<`: `balanced` needs less than its coarsest mesh, so the ratio is larger. `>`: it needs more
+than its finest mesh, so the ratio is smaller.
 """
 
 
@@ -349,18 +352,20 @@ def writePage(rows, compared):
     tables = {name: [r for r in done if r["case"] == name] for name in CASES}
     tables = {name: found for name, found in tables.items() if found}
     page = [HEAD, "## Presets\n", presets(tables),
-            "## Against the scheme before\n",
+            "## Against the previous scheme\n",
             "Until November 2026 `balanced` was the paper's scheme with "
-            "corrections that are gone (commit f6e7214, measured once, "
-            "against the present references; on another machine, so that costs, "
-            "in the same unit, compare roughly). As good: but for a fiftieth.\n",
+            "corrections that no longer exist (commit f6e7214). It was "
+            "measured once, against the present references, but on another "
+            "machine. So costs, in the same unit, compare only roughly. *As "
+            "good* means an error that is at most 2 % larger.\n",
             before(tables),
             "## What an error costs\n",
-            "The cheapest of all runs, on any mesh, with at most that error:"
+            "The cheapest of all runs, on any mesh, with at most this error:"
             "\n", decisions(tables, compared, "error", "error"),
-            "Half of the error by a finer mesh alone costs so many times as "
-            "much. Where a front passes, no scheme is of more than first "
-            "order in this norm: 4 times in one dimension, 8 in two, 16 in "
+            "The next table shows how many times more half of the error costs "
+            "by a finer mesh alone. Where a wave front passes, every scheme is "
+            "at most of first order in this norm. Half of the error then costs "
+            "4 times as much in one dimension, 8 times in two, and 16 times in "
             "three.\n", halvings(tables),
             "For the peak of the contact force alone, which may be right by "
             "chance on a coarse mesh:\n",

@@ -1,6 +1,7 @@
-"""The programs to compare with: their runs of the cases, with errors and costs
-as those of the solver. The first are the plain finite elements of
-tests/benchmark/peers/plainFEM, which are of this project; CalculiX is from a package."""
+"""The compared programs: their runs of the cases, with errors and costs as for
+the solver. The first programs are the plain finite elements of
+tests/benchmark/peers/plainFEM, which belong to this project; CalculiX is from
+a package."""
 
 import hashlib
 import re
@@ -16,12 +17,12 @@ from vertexContactTests.trade.cases import CASES
 sources = root/"tests"/"benchmark"/"peers"/"plainFEM"
 NAME = "plainFEM"
 TITLE = "plain FEM"
-# The same, one element after the other: how many are done together
+# The same with one element after the other, and the number of elements at once
 ONE = "plainFEM1"
 WIDTH = {NAME: 8, ONE: 1}
 
-# From packages, tests/benchmark/peers/install gets them: their titles, and the meshes of
-# the cases that they can do
+# Programs from packages, which tests/benchmark/peers/install installs: their
+# titles, and the meshes of the cases that they can do
 PACKAGED = {"calculix": "CalculiX"}
 PACKAGED_MESHES = {"calculix": {"rings": (5, 10), "taylor": (2, 4, 6)}}
 
@@ -33,23 +34,23 @@ MESHES = {
     "nonMatching": (1, 2, 3, 4, 5, 8, 10),
     "taylor": (2, 4, 6, 8)}
 
-# Of its own references
+# Finest meshes, of their own references
 FINEST = {"rings": 80, "incompressible": 128, "nonMatching": 30, "taylor": 12}
 
 KEYS = "program", "case", "mesh"
-# 'own': the error against its own reference
+# 'own': the error relative to the program's own reference
 COLUMNS = (*KEYS, "error", "own", "velocity", "force", "peak", "impulse",
            "energy", "rise", "length", "radius", "plasticWork", "nodes",
            "steps", "seconds", "us", "calibration", "cost")
 
 
 class Failed(RuntimeError):
-    """A program from a package did not end well."""
+    """A program from a package ended with an error."""
 
 
 def program(name=NAME):
-    """The program, compiled if there is none of these sources for this
-    processor."""
+    """The path of the program. It is compiled if there is none of these
+    sources for this processor."""
     target = checked(["g++", "-march=native", "-Q", "--help=target"], root)
     files = sorted(file for file in sources.iterdir() if file.suffix != ".md")
     key = hashlib.sha256(target.encode() + b"".join(
@@ -65,7 +66,7 @@ def program(name=NAME):
 
 
 def run(name, mesh, file, kind=NAME):
-    """Write the table of histories; what its comment says."""
+    """Write the table of histories; returns the data of its comment."""
     checked([str(program(kind)), name, str(mesh), "-out", str(file)], root)
     with open(file) as lines:
         comment = next(lines)
@@ -74,14 +75,15 @@ def run(name, mesh, file, kind=NAME):
 
 
 def costs(said):
-    """Of all bodies: of two that are mirror images it computes one."""
+    """Costs for all bodies. The program computes only one of two mirror
+    images."""
     return {"nodes": said["bodies"]*said["nodes"], "steps": said["steps"],
             "seconds": said["bodies"]*said["seconds"],
             "us": 1e6*said["seconds"]/said["steps"]/said["nodes"]}
 
 
 def once(name, mesh, kind=NAME):
-    """A run: its errors and costs."""
+    """Errors and costs of a run."""
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder)/"histories.csv"
         said = run(name, mesh, file, kind)
@@ -96,8 +98,8 @@ def once(name, mesh, kind=NAME):
 
 
 def oncePackaged(program, name, mesh):
-    """The same of a program from a package."""
-    # Its modules are of no use to the others
+    """The same for a program from a package."""
+    # Imported here, since others do not need its modules
     from vertexContactTests.peers import calculix
     try:
         histories, said = calculix.run(name, mesh)
@@ -110,7 +112,7 @@ def oncePackaged(program, name, mesh):
 
 
 def meshes(program):
-    """Of its cases."""
+    """Meshes of the cases of a program."""
     return MESHES if program in WIDTH else PACKAGED_MESHES[program]
 
 
@@ -134,13 +136,14 @@ def measure(name, mesh, calibration, program=NAME):
 
 
 def makeReference(name):
-    """Run the finest mesh and keep its histories."""
+    """Run the finest mesh and keep its histories as the reference."""
     said = run(name, FINEST[name], CASES[name].peerFile)
     print(f"{name}, {NAME}: {said['seconds']:.0f} s", flush=True)
 
 
 def agreement(name):
-    """Differences of its reference from ours; None if there are no two."""
+    """Differences of the program's reference from ours; None if one is
+    missing."""
     case = CASES[name]
     own = case.peerReference()
     return case.difference(own, case.reference(None)) if own else None

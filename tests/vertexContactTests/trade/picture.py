@@ -11,9 +11,9 @@ from vertexContactTests.trade.variants import PRESETS, isPreset
 
 
 def draw(case, rows, peer, packaged, unit):
-    """rows: numbers of one case; peer: by kind those of plain finite elements;
-    packaged: of programs from packages; unit: cost of balanced on the base
-    mesh."""
+    """Draw errors over costs. rows: numbers of one case; peer: by kind,
+    numbers of plain finite elements; packaged: numbers of programs from
+    packages; unit: cost of balanced on the base mesh."""
     figure, axes = plt.subplots(figsize=(7.5, 5.5))
 
     def show(some, style, **more):
@@ -46,7 +46,7 @@ def draw(case, rows, peer, packaged, unit):
         if mine:
             show(mine, f"{marker}-.", linewidth=1, color="tab:brown",
                  label=title)
-    # Their names are on the page; neighbours' numbers above and below
+    # The page has their names; neighbours have their numbers above and below
     for number, row in enumerate(best, 1):
         axes.annotate(str(number), (row["cost"]/unit, row["error"]),
                       fontsize=8, xytext=(0, 8 if number % 2 else -16),

@@ -13,7 +13,7 @@ from vertexContactTests.trade.calibration import SHORT
 from vertexContactTests.trade.cases import CASES, FOLDER, Stopped
 from vertexContactTests.trade.variants import OPTIONS, label
 
-# 'peer': the error against the reference of the program to compare with
+# 'peer': the error relative to the reference of the compared program
 ERRORS = ("error", "velocity", "stress", "force", "peak", "impulse", "energy",
           "rise", "penetration", "length", "radius", "plasticWork", "peer")
 COSTS = ("nodes", "steps", "seconds", "us", "calibration", "cost")
@@ -21,8 +21,8 @@ COLUMNS = ("case", "label", *OPTIONS, *ERRORS, *COSTS, "status")
 
 
 class Table:
-    """A file of rows, written whenever one changes. keys: columns that say
-    what was run."""
+    """A file of rows, written at each change. keys: columns that identify a
+    run."""
 
     def __init__(self, file, columns, keys):
         self.file = file
@@ -62,7 +62,7 @@ def peersTable():
 
 
 def stepCosts(log):
-    """From the end of the solver's log."""
+    """Costs of the steps from the end of the solver's log."""
     steps, seconds, us = re.search(
         r"Steps: (\d+) in (\S+) s, (\S+) us", log).groups()
     nodes = sum(map(int, re.findall(r"(\d+) nodes, \d+ edges", log)))
@@ -71,7 +71,7 @@ def stepCosts(log):
 
 
 def once(case, chosen):
-    """A run in a folder that is removed: its errors and costs."""
+    """Errors and costs of a run in a folder that is removed afterwards."""
     with tempfile.TemporaryDirectory() as folder:
         done = case.run(Path(folder), chosen)
         costs = stepCosts(done.log())
@@ -79,7 +79,7 @@ def once(case, chosen):
 
 
 def why(output):
-    """The solver's reason to stop, from what Allrun shows."""
+    """The reason why the solver stopped, from the output of Allrun."""
     for pattern in (r"The state is not finite[^\n]*",
                     r"FOAM FATAL[^\n]*\n[\s|]*([^\n]*)"):
         found = re.search(pattern, output)

@@ -1,7 +1,9 @@
-"""What the trade varies: the presets on all meshes, options one at a time from
-'balanced' and from 'paper', and combinations that may be worth their cost."""
+"""The variants of the trade: the presets on all meshes, single options changed
+from 'balanced' and from 'paper', and combinations that may be worth their
+cost."""
 
-# Of vertexCentred in fvSchemes, of controlDict and of contactProperties
+# Options of vertexCentred in fvSchemes, of controlDict and of
+# contactProperties
 SCHEME = ("cells", "correction", "dissipation", "frontDissipation", "volume",
           "reconstruction", "limiter", "kinematics", "jacobian", "waveSpeed")
 CONTROL = ("maxCo", "timeIntegrator")
@@ -11,11 +13,12 @@ PAPER = "paper"
 NAMES = "fast", "balanced", "accurate"
 PRESETS = (*NAMES, PAPER)
 
-# All columns that say what was run; empty: that of the preset, or of the case
+# All columns that identify a run; empty: the value of the preset, or of the
+# case
 OPTIONS = ("preset", "mesh", "dimension", "material", *SCHEME, *CONTROL,
            *CONTACT)
 
-# One at a time on the base mesh
+# Single changes on the base mesh
 SINGLE = {
     "balanced": {
         "cells": ("simplicialSingle", "native"),
@@ -44,18 +47,18 @@ COMBINED = (
 
 
 def named(case, preset, mesh, **changes):
-    """A run with a preset, and nothing beside it but changes."""
+    """A run with a preset and these changes only."""
     return onlyThatMatter({
         **dict.fromkeys(OPTIONS, ""), **case.choices, "mesh": mesh,
         "preset": preset, **changes})
 
 
 def onlyThatMatter(chosen):
-    """The same, with what has no effect taken out, so that equal runs are
-    equal here."""
+    """The same options without those that have no effect, so that equal runs
+    have equal options."""
     chosen = dict(chosen)
     if chosen["material"] == "linearElastic":
-        # What its volume needs is known, and it has one speed of waves
+        # Its treatment of the volume is known, and it has one wave speed
         for name in "kinematics", "jacobian", "waveSpeed", "volume":
             chosen[name] = ""
     if chosen["dimension"] == "1":
@@ -79,7 +82,8 @@ def variants(case):
 
 
 def label(case, chosen):
-    """The preset, the mesh if it is not the base, and what else was chosen."""
+    """The preset, the mesh if it is not the base mesh, and the other
+    choices."""
     usual = named(case, chosen["preset"], case.base)
     parts = [chosen["preset"]] + [
         f"{k} {chosen[k]}" for k in OPTIONS[1:]
@@ -88,6 +92,6 @@ def label(case, chosen):
 
 
 def isPreset(case, chosen):
-    """Nothing but a preset, on a mesh of the case."""
+    """Whether a run has only a preset, on a mesh of the case."""
     return chosen == named(case, chosen["preset"], chosen["mesh"]) \
         and chosen["mesh"] in (case.base, *case.meshes)

@@ -57,7 +57,7 @@ Foam::PtrList<Foam::bodyForce> Foam::bodyForce::readAll
         {
             FatalIOErrorInFunction(forces)
                 << "Keyword '" << e.keyword()
-                << "' is not a dictionary: a body force is, as in "
+                << "' is not a dictionary. A body force must be one, as in "
                 << "shaking { type uniform; acceleration (1 0 0); }"
                 << exit(FatalIOError);
         }

@@ -56,10 +56,11 @@ public:
     {
         return
         {
-            {"type", "", "required", "uniform"},
+            {"type", "", "required", "name of the body force"},
             {
                 "acceleration", "m/s2", "required",
-                "vector, or any Function1 of time"
+                "of all points of the region; a vector, or any Function1 of "
+                "time"
             },
             {"accelerationCoeffs", "", "none", "coefficients of the Function1"}
         };

@@ -22,8 +22,8 @@ Foam::prescribedMotion::prescribedMotion
     {
         FatalIOErrorInFunction(dict)
             << "Keywords 'components' and 'direction' exclude each other: "
-            << "'direction' has a number as '" << keyword << "', "
-            << "'components' a vector" << exit(FatalIOError);
+            << "'" << keyword << "' is a number with 'direction', and a "
+            << "vector with 'components'" << exit(FatalIOError);
     }
 
     if (dict.found("direction"))
@@ -34,7 +34,7 @@ Foam::prescribedMotion::prescribedMotion
         {
             FatalIOErrorInFunction(dict)
                 << "Keyword 'direction' is " << direction_
-                << ": it must be a vector of any length above 0"
+                << ": it must be a vector with a finite length above 0"
                 << exit(FatalIOError);
         }
         directions_ = List<vector>(1, direction_/length);
@@ -72,8 +72,9 @@ Foam::prescribedMotion::prescribedMotion
         if (components_.empty())
         {
             FatalIOErrorInFunction(dict)
-                << "Keyword 'components' has none: a surface that is free is "
-                << "'tractionFree'" << exit(FatalIOError);
+                << "Keyword 'components' is empty. Valid components: (x y z). "
+                << "The type of a free surface is 'tractionFree'"
+                << exit(FatalIOError);
         }
     }
     vector_ = timeValue<vector>(keyword, dict);
@@ -92,7 +93,7 @@ Foam::keywordList Foam::prescribedMotion::keywords
     {
         {
             keyword, unit, "required",
-            "vector, with direction a number; or any Function1 of time"
+            "a vector (with direction, a number), or any Function1 of time"
         },
         {
             word(keyword + "Coeffs"), "", "none",
@@ -100,11 +101,12 @@ Foam::keywordList Foam::prescribedMotion::keywords
         },
         {
             "components", "", "all",
-            "which of (x y z) are prescribed, the others are free"
+            "prescribed components, of (x y z); the others are free"
         },
         {
             "direction", "-", "none",
-            "vector along which it is prescribed, the rest is free"
+            "vector along which the motion is prescribed; across it the node "
+            "is free"
         }
     };
 }

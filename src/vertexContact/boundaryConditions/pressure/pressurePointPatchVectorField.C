@@ -45,7 +45,8 @@ public:
         {
             {
                 "pressure", "Pa", "required",
-                "on the current surface, number or any Function1 of time"
+                "acts on the current surface and pushes if positive; a "
+                    "number, or any Function1 of time"
             },
             {"pressureCoeffs", "", "none", "coefficients of the Function1"}
         };

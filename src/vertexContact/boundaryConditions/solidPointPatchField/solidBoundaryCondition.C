@@ -36,9 +36,12 @@ Foam::keywordList Foam::solidBoundaryCondition::commonKeywords()
 {
     return
     {
-        {"type", "", "required", "name of the condition"},
-        {"patchType", "", "none", "of OpenFOAM, for patches with a constraint"},
-        {"value", "m/s", "none", "not used: the velocity is a result"}
+        {"type", "", "required", "name of the boundary condition"},
+        {
+            "patchType", "", "none",
+            "keyword of OpenFOAM: type of a patch with a constraint"
+        },
+        {"value", "m/s", "none", "not used; the run computes the velocity"}
     };
 }
 

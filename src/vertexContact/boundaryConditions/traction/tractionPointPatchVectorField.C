@@ -42,7 +42,8 @@ public:
         {
             {
                 "traction", "Pa", "required",
-                "per reference area, vector or any Function1 of time"
+                "force per reference area; a vector, or any Function1 of "
+                    "time"
             },
             {"tractionCoeffs", "", "none", "coefficients of the Function1"}
         };

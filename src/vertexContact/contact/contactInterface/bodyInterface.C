@@ -140,18 +140,18 @@ Foam::bodyInterface::bodyInterface
     const auto refuse = [&](const char* why)
     {
         FatalIOErrorInFunction(dict)
-            << "Keyword 'sides': " << why << ", region '"
-            << minus_.body->name() << "' and region '" << plus_.body->name()
-            << "': nothing comes of contact between them"
+            << "Keyword 'sides': " << why << " (regions '"
+            << minus_.body->name() << "' and '" << plus_.body->name()
+            << "'), so contact between them would do nothing"
             << exit(FatalIOError);
     };
     if (minus_.body == plus_.body && minus_.body->rigid())
     {
-        refuse("a rigid region has both sides");
+        refuse("both sides belong to one rigid region");
     }
     if (minus_.body->immovable() && plus_.body->immovable())
     {
-        refuse("no force moves either of the rigid regions");
+        refuse("no force can move either of the rigid regions");
     }
     for (const contactSide* side : {&minus_, &plus_})
     {
@@ -192,9 +192,9 @@ Foam::autoPtr<Foam::bodyInterface> Foam::bodyInterface::New
     else if (contactPairing::readTwoWay(dict))
     {
         FatalIOErrorInFunction(dict)
-            << "Keyword 'transfer': twoWay belongs to the paper's scheme, "
-            << "'preset paper' in controlDict. Valid transfers: (conservative)"
-            << exit(FatalIOError);
+            << "Keyword 'transfer': twoWay needs 'preset paper' in "
+            << "controlDict. Valid transfers with other presets: "
+            << "(conservative)" << exit(FatalIOError);
     }
     else
     {

@@ -175,7 +175,8 @@ void Foam::contactInterface::tellLost
         << side.patchName << ", node at "
         << body.meshPoint(node)
         << " (reference) " << body.position(node) << " (current), is "
-        << penetration << " m inside, and its cell " << depth << " m thick";
+        << penetration << " m inside, and its cell is " << depth
+        << " m thick";
     lost_ = os.str();
 }
 
@@ -327,8 +328,8 @@ void Foam::contactInterface::readLaw(const dictionary& dict)
     {
         FatalIOErrorInFunction(dict)
             << "Keyword 'law': " << law_->type() << " cannot be changed to "
-            << law->type() << " while the run goes on: only one of them bonds"
-            << exit(FatalIOError);
+            << law->type() << " while the run goes on, because only one of "
+            << "them ties the surfaces" << exit(FatalIOError);
     }
     law_ = std::move(law);
     const List<contactSide> both(sides());

@@ -79,8 +79,8 @@ void readNamedPairs(const dictionary& dict, PtrList<pairEntry>& pairs)
         if (!e.isDict())
         {
             FatalIOErrorInFunction(dict)
-                << "Keyword '" << e.keyword() << "' is not a dictionary, "
-                << "of 'sides' and a 'law'" << exit(FatalIOError);
+                << "Keyword '" << e.keyword() << "' is not a dictionary "
+                << "with 'sides' and a 'law'" << exit(FatalIOError);
         }
         const dictionary& d = e.dict();
         dictionaryCheck::onlyKeywords(d, wordList({"sides", "law"}));
@@ -102,8 +102,8 @@ void readListedPairs(const dictionary& dict, PtrList<pairEntry>& pairs)
         if (!good)
         {
             FatalIOErrorInFunction(dict)
-                << "Keyword 'pairs' is neither a dictionary nor a list of two "
-                << "sets and a law each, as in "
+                << "Keyword 'pairs' is neither a dictionary nor a list whose "
+                << "entries have two sets and a law, as in "
                 << "((\"steel.*\" \"rubber.*\") { law { ... } })"
                 << exit(FatalIOError);
         }
@@ -223,8 +223,9 @@ Foam::autoPtr<Foam::dictionary> Foam::generalInterface::partDict
         if (contactLaw::New(contactLaw::dictIn(lawDict))->bonded())
         {
             FatalIOErrorInFunction(lawDict)
-                << "Keyword 'law': what is tied needs an interface of its "
-                << "own, with two sides" << exit(FatalIOError);
+                << "Keyword 'law': tied is not valid here. Tied surfaces need "
+                << "an interface of their own, with two sides"
+                << exit(FatalIOError);
         }
     }
     return part;
@@ -254,8 +255,8 @@ void Foam::generalInterface::readRules
     if (dict.found("surfaces") == dict.found("sides"))
     {
         FatalIOErrorInFunction(dict)
-            << "Keyword 'surfaces': there must be either that or 'sides'"
-            << exit(FatalIOError);
+            << "Keyword 'surfaces': there must be exactly one of (surfaces "
+            << "sides)" << exit(FatalIOError);
     }
 
     readSurfaces(dict, bodies);
@@ -271,10 +272,11 @@ void Foam::generalInterface::readRules
             FatalIOErrorInFunction(dict)
                 << "Keyword '"
                 << (dict.found("exclude") ? word("exclude") : chosenBy(dict))
-                << "': nothing is left that "
+                << "': no surface is left that "
                 << surfaceSelection::name(surfaces_[i]).c_str()
-                << " may touch. Surfaces that touch nothing have the type "
-                << "'tractionFree' in pointU." << nl << "These have 'contact': "
+                << " may touch. A surface that touches nothing needs the type "
+                << "'tractionFree' in pointU." << nl
+                << "Surfaces of type 'contact': "
                 << surfaceSelection::listed
                    (
                        surfaceSelection::all(bodies)
@@ -377,7 +379,8 @@ void Foam::generalInterface::readPairLaws
         {
             FatalIOErrorInFunction(dict)
                 << "Keyword 'pairs': '" << pair.name << "' has no pair of the "
-                << "surfaces in '" << chosenBy(dict) << "'. These are: "
+                << "surfaces in '" << chosenBy(dict)
+                << "'. These surfaces are: "
                 << surfaceSelection::listed(surfaces_).c_str()
                 << exit(FatalIOError);
         }
@@ -444,19 +447,36 @@ Foam::keywordList Foam::generalInterface::keywords()
 {
     return
     {
-        {"surfaces", "", "or sides", "all, or a list of surfaces"},
-        {"sides", "", "or surfaces", "two sets of surfaces"},
-        {"self", "", "yes", "surfaces meet themselves"},
-        {"exclude", "", "none", "a pair of sets, or a list of such pairs"},
-        {"pairs", "", "none", "laws for some pairs: dictionaries, or a list"},
-        {"pairing", "", "nearestFace", "no other"},
+        {
+            "surfaces", "", "or sides",
+            "surfaces that may touch each other: all, or a list"
+        },
+        {
+            "sides", "", "or surfaces",
+            "two sets of surfaces; a surface may touch those of the other set"
+        },
+        {"self", "", "yes", "no: a surface does not touch itself"},
+        {
+            "exclude", "", "none",
+            "surfaces that do not touch: a pair of sets, or a list of such "
+            "pairs"
+        },
+        {
+            "pairs", "", "none",
+            "other laws for some pairs of surfaces: dictionaries, or a list"
+        },
+        {"pairing", "", "nearestFace", "no other pairing is valid here"},
         {
             "updateDistance", "-",
             Foam::name(surfaceMotion::usualDistance),
-            "face widths a node may move along its surface until they "
-            "are paired again"
+            "distance, in face widths, that a node may move along its surface "
+            "before faces are paired again; at most "
+          + Foam::name(surfaceMotion::largestDistance)
         },
-        {"law", "", "frictionless", "dictionary of the contact law, not tied"}
+        {
+            "law", "", "frictionless",
+            "dictionary of the contact law, which must not be tied"
+        }
     };
 }
 
@@ -503,8 +523,9 @@ void Foam::generalInterface::readLaw(const dictionary& dict)
     if (!same)
     {
         FatalIOErrorInFunction(dict)
-            << "Keyword 'pairs': while the run goes on, only laws can be "
-            << "changed, and the order; the pairs must be " << pairSides_
+            << "Keyword 'pairs': while the run goes on, only the laws and the "
+            << "order of the pairs can change. The pairs must be "
+            << pairSides_
             << exit(FatalIOError);
     }
     rules_.transfer(rules);
@@ -583,12 +604,12 @@ void Foam::generalInterface::readRecord(const dictionary& record)
 void Foam::generalInterface::report(Ostream& os) const
 {
     os  << "Interface " << name() << ": " << surfaces_.size()
-        << " surfaces, of whose pairs " << rule_.nPairs() << " may meet and "
+        << " surfaces, " << rule_.nPairs() << " pairs may touch and "
         << parts_.size() << " are near, pairing nearestFace, law "
         << law_->type();
     if (rules_.size() > 1)
     {
-        os  << ", " << rules_.size() - 1 << " other laws for pairs";
+        os  << ", other laws for pairs: " << rules_.size() - 1;
     }
     os  << nl;
 }

@@ -334,8 +334,9 @@ Foam::obstacleInterface::obstacleInterface
     if (side_.body->immovable())
     {
         FatalIOErrorInFunction(dict)
-            << "Keyword 'side': no force moves the rigid region '"
-            << side_.body->name() << "', nor an obstacle" << exit(FatalIOError);
+            << "Keyword 'side': no force can move the rigid region '"
+            << side_.body->name() << "' or an obstacle, so contact between "
+            << "them would do nothing" << exit(FatalIOError);
     }
 
     if (!side_.body->rigid())
@@ -373,9 +374,12 @@ Foam::keywordList Foam::obstacleInterface::keywords()
 {
     return
     {
-        {"side", "", "required", "region and patch"},
-        {"obstacle", "", "required", "dictionary of a searchableSurface"},
-        {"motion", "", "at rest", "dictionary, below"},
+        {"side", "", "required", "surface of the body: a region and a patch"},
+        {
+            "obstacle", "", "required",
+            "dictionary of a searchableSurface, with its 'type'"
+        },
+        {"motion", "", "at rest", "dictionary with the keywords below"},
         {"law", "", "frictionless", "dictionary of the contact law"}
     };
 }

@@ -177,8 +177,8 @@ Foam::vector Foam::contactPairing::gapDirection(const dictionary& dict) const
         if (mag(direction) < SMALL)
         {
             FatalIOErrorInFunction(dict)
-                << "Keyword 'direction' has no component in the solution "
-                << "directions" << exit(FatalIOError);
+                << "Keyword 'direction' has no component in the directions of "
+                << "the mesh" << exit(FatalIOError);
         }
     }
     else if (mag(Sm - Sp) > opposes*(mag(Sm) + mag(Sp)))
@@ -257,13 +257,18 @@ Foam::keywordList Foam::contactPairing::commonKeywords()
 {
     return
     {
-        {"sides", "", "required", "two pairs of region and patch"},
-        {"pairing", "", "matching", "which parts of the sides are opposite"},
+        {"sides", "", "required", "two surfaces, each a region and a patch"},
+        {
+            "pairing", "", "matching",
+            "how opposite parts of the two sides are found"
+        },
         {
             "transfer", "", "conservative",
             keywordList::oneOf
             (
-                transfers, "one force an overlap, or the paper's mapping"
+                transfers,
+                "one force per overlap of two faces; or the paper's mapping, "
+                "only with preset paper"
             )
         },
         {"law", "", "frictionless", "dictionary of the contact law"}

@@ -157,7 +157,7 @@ Foam::List<Foam::contactSide> Foam::surfaceSelection::select
             FatalIOErrorInFunction(dict)
                 << "Keyword '" << keyword << "': (" << e.list[0].name << ' '
                 << e.list[1].name << ") matches no surface whose type in "
-                << "pointU is 'contact'." << nl << "These are: "
+                << "pointU is 'contact'." << nl << "These surfaces are: "
                 << listed(known).c_str() << exit(FatalIOError);
         }
     };

@@ -253,9 +253,9 @@ Foam::keywordList Foam::functionObjects::contactForces::keywords()
     {
         {
             "filterFrequency", "Hz", "no filter",
-            "cut-off of the filtered force"
+            "cut-off of a low-pass filter; adds columns of filtered forces"
         },
-        {"filterPoles", "-", "2", "1 or 2"}
+        {"filterPoles", "-", "2", "number of poles of the filter, 1 or 2"}
     };
 }
 

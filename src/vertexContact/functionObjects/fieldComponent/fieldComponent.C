@@ -102,7 +102,7 @@ Foam::List<Foam::fieldComponent> Foam::fieldComponent::read
             {
                 FatalIOErrorInFunction(dict)
                     << "Keyword '" << keyword << "': '" << given
-                    << "' is no component of " << name << ". Valid: "
+                    << "' is not a component of " << name << ". Valid: "
                     << (
                            values.nComponents == 1
                          ? string(name)

@@ -206,7 +206,7 @@ Foam::List<Foam::nodeSelection> Foam::nodeSelection::read
         {
             FatalIOErrorInFunction(dict)
                 << "Keywords '" << kind << "' and '" << k
-                << "': there may be one of them" << exit(FatalIOError);
+                << "': give only one of them" << exit(FatalIOError);
         }
         kind = k;
     }
@@ -260,11 +260,11 @@ Foam::keywordList Foam::nodeSelection::keywords()
 {
     return
     {
-        {"region", "", "all", "names of bodies"},
-        {"cellZone", "", "all nodes", "only those of its cells"},
-        {"faceZone", "", "all nodes", "only those of its faces"},
-        {"patch", "", "all nodes", "only those of its faces"},
-        {"pointSet", "", "all nodes", "only its points"}
+        {"region", "", "all", "region, regular expression, or a list of them"},
+        {"cellZone", "", "all nodes", "only the nodes of its cells"},
+        {"faceZone", "", "all nodes", "only the nodes of its faces"},
+        {"patch", "", "all nodes", "only the nodes of its faces"},
+        {"pointSet", "", "all nodes", "only the nodes at its points"}
     };
 }
 

@@ -182,11 +182,14 @@ Foam::keywordList Foam::functionObjects::pointProbes::keywords()
 {
     return
     {
-        {"region", "", "the only one", "name of a body"},
-        {"points", "m", "required", "places in the reference mesh"},
+        {"region", "", "the only one", "region of the points"},
+        {
+            "points", "m", "required",
+            "positions in the reference mesh; the nearest nodes are probed"
+        },
         {
             "fields", "", "required",
-            keywordList::oneOf(fieldNames(), "list of names")
+            keywordList::oneOf(fieldNames(), "list of some of these")
         }
     };
 }

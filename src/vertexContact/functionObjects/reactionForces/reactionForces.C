@@ -104,7 +104,7 @@ Foam::functionObjects::reactionForces::reactionForces
         {
             FatalIOErrorInFunction(dict)
                 << "Function object '" << name << "' of type '" << type()
-                << "' does not go with preset paper, whose boundary "
+                << "' does not work with preset paper, whose boundary "
                 << "conditions are fluxes" << exit(FatalIOError);
         }
         patches_[i] = body.reactingPatches();

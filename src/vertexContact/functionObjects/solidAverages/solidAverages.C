@@ -75,7 +75,7 @@ Foam::keywordList Foam::functionObjects::solidAverages::keywords()
         {
             {
                 "fields", "", "required",
-                "fields that are written, or components as pointD.x"
+                "names of written fields, or components such as pointD.x"
             }
         }
       + nodeSelection::keywords();

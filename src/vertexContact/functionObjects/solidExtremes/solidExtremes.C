@@ -225,9 +225,12 @@ Foam::keywordList Foam::functionObjects::solidExtremes::keywords()
         {
             {
                 "fields", "", "required",
-                "fields that are written, or components as pointD.x"
+                "names of written fields, or components such as pointD.x"
             },
-            {"everyStep", "", "no", "extremes of all steps since the last row"}
+            {
+                "everyStep", "", "no",
+                "yes: extremes over all steps since the previous row"
+            }
         }
       + nodeSelection::keywords();
 }

@@ -133,8 +133,9 @@ void Foam::functionObjects::solidFunctionObject::checkKeywords
     if (!controlled_ && dict.found("writeInterval"))
     {
         FatalIOErrorInFunction(dict)
-            << "Keyword 'writeInterval' needs a 'writeControl': without it a "
-            << "row is written each 1/1000 of the run" << exit(FatalIOError);
+            << "Keyword 'writeInterval' needs a 'writeControl'. Without both, "
+            << "a row is written every 1/1000 of the run"
+            << exit(FatalIOError);
     }
 }
 
@@ -175,22 +176,37 @@ Foam::functionObjects::solidFunctionObject::commonKeywords()
     return
     {
         {"type", "", "required", "name of the function object"},
-        {"libs", "", "none", "libraries; (vertexContact) is loaded already"},
-        {"functionObjectLibs", "", "none", "libs, in older releases"},
-        {"enabled", "", "yes", "no: leave it out"},
-        {"log", "", "yes", "of OpenFOAM, without effect"},
-        {"timeStart", "s", "start", "nothing is done before"},
-        {"timeEnd", "s", "end", "nothing is done afterwards"},
-        {"executeControl", "", "timeStep", "when it executes, as writeControl"},
-        {"executeInterval", "-", "1", "of executeControl"},
+        {"libs", "", "none", "libraries to load; (vertexContact) is loaded"},
+        {"functionObjectLibs", "", "none", "older name of libs"},
+        {"enabled", "", "yes", "no: the function object does nothing"},
+        {"log", "", "yes", "keyword of OpenFOAM, has no effect here"},
+        {"timeStart", "s", "start", "before this time it does nothing"},
+        {"timeEnd", "s", "end", "after this time it does nothing"},
+        {
+            "executeControl", "", "timeStep",
+            "when it executes; values as for writeControl"
+        },
+        {
+            "executeInterval", "-", "1",
+            "interval of executeControl, in steps or s"
+        },
         {
             "writeControl", "", "1/1000 of the run",
-            "when a row is written; timeStep: by steps"
+            "when a row is written; timeStep: every writeInterval steps"
         },
-        {"writeInterval", "-", "1", "of writeControl"},
-        {"controlMode", "", "time", "of OpenFOAM's time control"},
-        {"errors", "", "default", "of OpenFOAM, what an error does"},
-        {"useNamePrefix", "", "no", "of OpenFOAM, without effect"}
+        {"writeInterval", "-", "1", "interval of writeControl, in steps or s"},
+        {
+            "controlMode", "", "time",
+            "keyword of OpenFOAM: timeStart and timeEnd, or triggers"
+        },
+        {
+            "errors", "", "default",
+            "keyword of OpenFOAM: what happens on an error"
+        },
+        {
+            "useNamePrefix", "", "no",
+            "keyword of OpenFOAM, has no effect here"
+        }
     };
 }
 

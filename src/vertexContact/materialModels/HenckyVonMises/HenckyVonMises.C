@@ -34,8 +34,8 @@ void Foam::HenckyVonMises::readHeating(const dictionary& dict)
         if (softens)
         {
             FatalIOErrorInFunction(dict.subDict("JohnsonCook"))
-                << "Keyword 'm' " << JohnsonCook_.m << " is the exponent of a "
-                << "temperature, and there is none." << nl
+                << "Keyword 'm' " << JohnsonCook_.m << " needs the temperature "
+                << "of the material, and nothing computes it." << nl
                 << "Add adiabaticHeating { cp <specific heat>; } to the "
                 << "material" << exit(FatalIOError);
         }
@@ -63,7 +63,7 @@ void Foam::HenckyVonMises::readHeating(const dictionary& dict)
         (
             JohnsonCook_.Tmelt > T0_, law, "Tmelt", JohnsonCook_.Tmelt,
             given
-          ? "above T0 of adiabaticHeating: melted, it has no yield stress"
+          ? "above T0 of adiabaticHeating: melted metal has no yield stress"
           : "above Troom, which is T0 unless it is given"
         );
         thermalJohnsonCook_ = hardening::thermalJohnsonCook(JohnsonCook_);
@@ -340,7 +340,7 @@ Foam::HenckyVonMises::HenckyVonMises
     if (curve_ != curve::linear && dict.found("Hardening"))
     {
         FatalIOErrorInFunction(dict)
-            << "Keyword 'Hardening' belongs to 'tauY', which is not given"
+            << "Keyword 'Hardening' needs 'tauY', which is not given"
             << exit(FatalIOError);
     }
     readHeating(dict);
@@ -355,21 +355,31 @@ Foam::keywordList Foam::HenckyVonMises::keywords()
 {
     const keywordList own
     ({
-        {"tauY", "Pa", "one of three", "yield stress, with a straight line"},
-        {"Hardening", "Pa", "0", "slope of the yield stress, with tauY"},
+        {"tauY", "Pa", "one of three", "initial yield stress"},
+        {
+            "Hardening", "Pa", "0",
+            "with tauY: slope of the yield stress over the equivalent plastic "
+            "strain"
+        },
         {
             "hardeningCurve", "Pa", "one of three",
-            "yield stress, Function1 of the equivalent plastic strain"
+            "yield stress as a Function1 of the equivalent plastic strain"
         },
         {"hardeningCurveCoeffs", "", "none", "coefficients of the Function1"},
-        {"maxStrain", "-", "3", "end of a hardeningCurve that is no table"},
+        {
+            "maxStrain", "-", "3",
+            "last strain of a hardeningCurve that is not a table; constant "
+            "beyond it"
+        },
         {
             "JohnsonCook", "", "one of three",
-            "dictionary: (A + B strain^n)(1 + C ln(rate/referenceRate))"
+            "dictionary; yield stress "
+            "(A + B strain^n)(1 + C ln(rate/referenceRate))"
         },
         {
             "adiabaticHeating", "", "none",
-            "dictionary: plastic work heats each node, field pointT"
+            "dictionary; if given, plastic work heats the material (field "
+            "pointT)"
         }
     });
     return
@@ -384,7 +394,10 @@ Foam::keywordList Foam::HenckyVonMises::heatingKeywords()
     {
         {"beta", "-", "0.9", "share of the plastic work that becomes heat"},
         {"cp", "J/kg/K", "required", "specific heat, above 0"},
-        {"T0", "K", "293.15", "temperature at first, unless pointT is there"}
+        {
+            "T0", "K", "293.15",
+            "initial temperature, unless the start time has pointT"
+        }
     };
 }
 

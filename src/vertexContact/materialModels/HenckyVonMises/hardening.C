@@ -105,8 +105,8 @@ Foam::hardening::JohnsonCook::JohnsonCook(const dictionary& dict)
             if (dict.found(w))
             {
                 FatalIOErrorInFunction(dict)
-                    << "Keyword '" << w.c_str() << "' belongs to 'm', the "
-                    << "exponent of the temperature, which is not given"
+                    << "Keyword '" << w.c_str() << "' needs 'm', the exponent "
+                    << "of thermal softening, which is not given"
                     << exit(FatalIOError);
             }
         }
@@ -127,14 +127,27 @@ Foam::keywordList Foam::hardening::JohnsonCook::keywords()
 {
     return
     {
-        {"A", "Pa", "required", "yield stress at first, above 0"},
+        {"A", "Pa", "required", "initial yield stress, above 0"},
         {"B", "Pa", "required", "factor of strain^n, at least 0"},
         {"n", "-", "required", "exponent of the plastic strain, above 0"},
-        {"C", "-", "required", "factor of the rate, at least 0"},
-        {"referenceRate", "1/s", "1", "strain rate without effect"},
-        {"m", "-", "none", "times 1 - ((T - Troom)/(Tmelt - Troom))^m"},
-        {"Tmelt", "K", "with m", "melting point, without a yield stress"},
-        {"Troom", "K", "T0", "temperature without effect, with m"}
+        {"C", "-", "required", "factor of ln(rate/referenceRate), at least 0"},
+        {
+            "referenceRate", "1/s", "1",
+            "strain rate up to which the rate has no effect"
+        },
+        {
+            "m", "-", "none",
+            "exponent of thermal softening by the factor "
+            "1 - ((T - Troom)/(Tmelt - Troom))^m"
+        },
+        {
+            "Tmelt", "K", "with m",
+            "melting point, from which the yield stress is 0"
+        },
+        {
+            "Troom", "K", "T0",
+            "with m: temperature up to which the metal does not soften"
+        }
     };
 }
 

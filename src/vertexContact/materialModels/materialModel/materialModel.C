@@ -137,13 +137,13 @@ Foam::keywordList Foam::materialModel::commonKeywords()
 {
     return
     {
-        {"type", "", "required", "name of the law"},
+        {"type", "", "required", "name of the material law"},
         {"rho", "kg/m3", "required", "density in the reference configuration"},
         {"E", "Pa", "with nu", "Young's modulus"},
         {"nu", "-", "with E", "Poisson's ratio"},
-        {"mu", "Pa", "if not E, nu", "shear modulus"},
+        {"mu", "Pa", "if no E, nu", "shear modulus"},
         {"lambda", "Pa", "with mu", "Lame's first parameter"},
-        {"kappa", "Pa", "with mu", "bulk modulus, instead of lambda"}
+        {"kappa", "Pa", "with mu", "bulk modulus, may replace lambda"}
     };
 }
 

@@ -16,19 +16,21 @@ import numpy as np
 from vertexContactTests.peers.scenes import SCENES
 
 PRINTED = 20
-POINTS = 6      # of HARDENING_CURVE: a curve by points
+POINTS = 6      # HARDENING_CURVE: a curve given by points
 
 
 def rubber(properties):
-    """Compressible neo-Hookean, of another volume energy than ours."""
+    """Compressible neo-Hookean law; its volumetric energy differs from
+    ours."""
     properties.SetValue(KM.YOUNG_MODULUS, 17e6)
     properties.SetValue(KM.POISSON_RATIO, 0.3)
     return "HyperElastic3DLaw"
 
 
 def copper(properties):
-    """Finite plastic strains, with the hardening up to a strain of 10. Beyond
-    the points it would soften; the fracture energy is there to be large."""
+    """Finite plastic strains with the hardening up to a strain of 10. Beyond
+    the points the material would soften; a large fracture energy prevents
+    this."""
     stress, strain = KM.Vector(2), KM.Vector(2)
     stress[0], stress[1] = 0.4e9, 1.4e9
     strain[0], strain[1] = 0, 10
@@ -46,7 +48,7 @@ MATERIALS = {"column": rubber, "taylor": copper}
 
 
 def body(scene, part, material):
-    """Nodes, elements and first velocities."""
+    """Nodes, elements and initial velocities."""
     part.ProcessInfo.SetValue(KM.DOMAIN_SIZE, 3)
     for variable in (
             KM.DISPLACEMENT, KM.VELOCITY, KM.ACCELERATION, KM.REACTION,
@@ -71,7 +73,7 @@ def body(scene, part, material):
         (KM.REACTION_X, KM.REACTION_Y, KM.REACTION_Z)))
     for displacement, reaction in directions:
         KM.VariableUtils().AddDof(displacement, reaction, part)
-    # What is fixed keeps its velocity otherwise
+    # Otherwise fixed nodes keep their velocity
     moving = scene.velocity.copy()
     for points, d in scene.fixed:
         moving[points, d] = 0

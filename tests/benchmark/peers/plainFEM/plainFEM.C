@@ -70,7 +70,7 @@ plainFEM::settings parsed(const std::vector<std::string>& given)
         {
             wrong("no option " + key);
         }
-        if (++i == given.size()) wrong(key + " wants a value");
+        if (++i == given.size()) wrong(key + " needs a value");
         if (key == "-co") s.co = number(key, given[i], 0);
         if (key == "-viscosity") s.viscosity = number(key, given[i], -1e-300);
         if (key == "-samples") s.samples = integer(key, given[i]);

@@ -21,8 +21,10 @@ Description
 Usage
     \table
         Property            | Description                         | Default
-        frictionCoeff       | Coefficient k >= 0 of what slips [-] | required
-        staticFrictionCoeff | k_s >= k [-]                       | frictionCoeff
+        frictionCoeff       | Coefficient k >= 0 of sliding friction [-] <!--
+                            -->                                | required
+        staticFrictionCoeff | Coefficient k_s >= k that ends sticking [-] <!--
+                            -->                                | frictionCoeff
         frictionDecay       | lambda > 0 [s/m]             | at once, infinite
     \endtable
 
@@ -58,14 +60,18 @@ public:
     {
         return
         {
-            {"frictionCoeff", "-", "required", "at least 0"},
+            {
+                "frictionCoeff", "-", "required",
+                "coefficient of sliding friction, at least 0"
+            },
             {
                 "staticFrictionCoeff", "-", "frictionCoeff",
-                "at least frictionCoeff"
+                "coefficient at which sticking ends, at least frictionCoeff"
             },
             {
                 "frictionDecay", "s/m", "at once",
-                "more than 0: from the static one, with the speed"
+                "above 0: sliding friction falls to frictionCoeff as "
+                "exp(-frictionDecay speed)"
             }
         };
     }

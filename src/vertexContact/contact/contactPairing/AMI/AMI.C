@@ -241,9 +241,10 @@ Foam::contactPairings::AMI::AMI
     {
         FatalIOErrorInFunction(dict)
             << "Keyword 'pairing': no face of " << minus.body->name() << ' '
-            << minus.patchName << " overlaps one of " << plus.body->name()
-            << ' ' << plus.patchName << " when they are moved together along "
-            << direction << exit(FatalIOError);
+            << minus.patchName << " overlaps a face of "
+            << plus.body->name() << ' ' << plus.patchName
+            << " when the gap between them is closed along " << direction
+            << exit(FatalIOError);
     }
 }
 

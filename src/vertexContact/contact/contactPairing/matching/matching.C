@@ -146,7 +146,8 @@ Foam::contactPairings::matching::matching
                 << " coincide with the same corner of " << plus.body->name()
                 << ' ' << plus.patchName << " when projected along "
                 << direction << '.' << nl
-                << "'pairing matching' needs surfaces that face the gap once"
+                << "'pairing matching' needs surfaces that a line along this "
+                << "direction meets only once"
                 << exit(FatalIOError);
         }
     }
@@ -164,7 +165,7 @@ Foam::contactPairings::matching::matching
     {
         FatalIOErrorInFunction(dict)
             << "Keyword 'pairing': no corner of " << minus.body->name()
-            << ' ' << minus.patchName << " coincides with one of "
+            << ' ' << minus.patchName << " coincides with a corner of "
             << plus.body->name() << ' ' << plus.patchName
             << " when projected along " << direction << '.' << nl
             << "The two surface meshes do not match: 'pairing matching' "

@@ -414,8 +414,8 @@ Foam::keywordList Foam::contactPairings::nearestFace::keywords()
         {
             "updateDistance", "-",
             Foam::name(surfaceMotion::usualDistance),
-            "face widths a node may move along its surface until they are "
-            "paired again, at most "
+            "distance, in face widths, that a node may move along its surface "
+            "before faces are paired again; at most "
           + Foam::name(surfaceMotion::largestDistance)
         }
     };
