@@ -18,6 +18,7 @@ import tempfile
 import time
 from pathlib import Path
 
+from vertexContactTests import arguments
 from vertexContactTests.smallCases import Body, SmallCase
 
 here = Path(__file__).resolve().parent
@@ -81,6 +82,7 @@ def measured(bodies, contact, end, folder):
 
 
 def main():
+    arguments.parser(__doc__).parse_args()
     lines = []
     scenes = [(f"{n*n} squares", n*n*32, lambda c, n=n: squares(n, c), 0.2)
               for n in SQUARES]

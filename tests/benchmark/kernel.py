@@ -9,18 +9,18 @@ them, no output, nothing in contact; the median of three runs, start-up not
 counted. Writes kernel.csv, kernel.md and kernel.png beside this file. -before:
 also runs the build in another clone of the repository, in turns with this one,
 since a machine is faster at one time than at another. -few: one row of each
-block. -page: only the page, from the figures of kernel.csv.
+block, printed only. -page: only the page, from the figures of kernel.csv.
 """
 
 import csv
 import re
 import subprocess
-import sys
 import tempfile
 from pathlib import Path
 
 import numpy as np
 
+from vertexContactTests import arguments
 from vertexContactTests.caseTools import checked
 from vertexContactTests.smallCases import Body, SmallCase
 
@@ -203,17 +203,21 @@ simulated time, which does not depend on the length of the steps. The triad of S
 """)
 
 
-def main(*flags):
-    before = Path(flags[flags.index("-before") + 1]).resolve() \
-        if "-before" in flags else None
+def main():
+    parser = arguments.parser(__doc__)
+    parser.add_argument("-few", action="store_true")
+    parser.add_argument("-page", action="store_true")
+    parser.add_argument("-before", type=lambda name: Path(name).resolve(),
+                        metavar="FOLDER")
+    given = parser.parse_args()
     tets = "tetrahedra"
     wanted = [(block, BLOCKS[block][2], options) for block in BLOCKS
-              for options in (VARIANTS[:1] if "-few" in flags else VARIANTS)]
+              for options in (VARIANTS[:1] if given.few else VARIANTS)]
     wanted += [(tets, n, options) for n in SIZES
                for options in (BASE, {**BASE, "correction": "0"},
                                {**BASE, "preset": "paper"})
-               if "-few" not in flags or n == 58]
-    if "-page" in flags:
+               if not given.few or n == 58]
+    if given.page:
         with open(here/"kernel.csv") as file:
             rows = list(csv.DictReader(file))
         for row in rows:
@@ -227,9 +231,12 @@ def main(*flags):
         folder = Path(folder)
         stream = bandwidth(folder)
         for i, (block, cells, options) in enumerate(wanted):
-            rows.append(measure(folder/str(i), block, cells, options, before))
+            rows.append(measure(folder/str(i), block, cells, options,
+                                given.before))
             print(*rows[-1].values(), flush=True)
         stream = max(stream, bandwidth(folder))
+    if given.few:
+        return
     with open(here/"kernel.csv", "w", newline="") as out:
         writer = csv.DictWriter(out, rows[0].keys())
         writer.writeheader()
@@ -238,4 +245,4 @@ def main(*flags):
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:])
+    main()

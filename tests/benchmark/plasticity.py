@@ -10,12 +10,12 @@ run of one step, which has the set-up.
 """
 
 import re
-import sys
 import tempfile
 from pathlib import Path
 
 import numpy as np
 
+from vertexContactTests import arguments
 from vertexContactTests.caseTools import checked
 from vertexContactTests.smallCases import Body, SmallCase
 
@@ -42,8 +42,12 @@ def seconds(folder, material, cells, steps):
     return float(re.findall(r"ExecutionTime = ([0-9.]+)", log)[-1])
 
 
-def main(cells=24, steps=100):
-    cells, steps = int(cells), int(steps)
+def main():
+    parser = arguments.parser(__doc__)
+    parser.add_argument("cells", type=int, nargs="?", default=24)
+    parser.add_argument("steps", type=int, nargs="?", default=100)
+    given = parser.parse_args()
+    cells, steps = given.cells, given.steps
     nodes = (cells + 1)**3
     # In turns, since a machine is not equally fast at all times
     least = {}
@@ -63,4 +67,4 @@ def main(cells=24, steps=100):
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:])
+    main()

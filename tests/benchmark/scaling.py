@@ -14,13 +14,13 @@ inside of reductions.
 import math
 import re
 import subprocess
-import sys
 import tempfile
 from pathlib import Path
 
 import numpy as np
 from foamlib import FoamFile
 
+from vertexContactTests import arguments
 from vertexContactTests.smallCases import RUBBER, Body, SmallCase
 
 RATE = np.diag((0.1, -0.05, -0.05))
@@ -114,8 +114,12 @@ def slowedDown(one, other, steps, rounds=9):
     return np.median(ratios)
 
 
-def main(cells=58, steps=20):
-    cells, steps = int(cells), int(steps)
+def main():
+    parser = arguments.parser(__doc__)
+    parser.add_argument("cells", type=int, nargs="?", default=58)
+    parser.add_argument("steps", type=int, nargs="?", default=20)
+    given = parser.parse_args()
+    cells, steps = given.cells, given.steps
     nodes = (cells + 1)**3
     with tempfile.TemporaryDirectory() as folder:
         folder = Path(folder)
@@ -189,4 +193,4 @@ back, however many pairs of surfaces it has, and with friction another one).
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:])
+    main()

@@ -11,11 +11,11 @@ one core. Writes startup.md beside this file.
 import os
 import re
 import subprocess
-import sys
 import tempfile
 import time
 from pathlib import Path
 
+from vertexContactTests import arguments
 from vertexContactTests.smallCases import RUBBER, Body, SmallCase, interface
 
 here = Path(__file__).resolve().parent
@@ -73,11 +73,14 @@ def start(case):
     return nodes, seconds - steps, usage.ru_maxrss/1024, held
 
 
-def main(cells=99):
+def main():
+    parser = arguments.parser(__doc__)
+    parser.add_argument("cells", type=int, nargs="?", default=99)
+    cells = parser.parse_args().cells
     lines = []
     with tempfile.TemporaryDirectory() as folder:
         for name, make in SCENES.items():
-            for n in (int(cells)//4, int(cells)//2, int(cells)):
+            for n in (cells//4, cells//2, cells):
                 case = make(Path(folder)/f"{len(lines)}", n)
                 nodes, seconds, peak, held = start(case)
                 lines.append(f"| {name} | {nodes:,} | {seconds:.1f} | "
@@ -102,4 +105,4 @@ one core. In the memory is all of OpenFOAM and its mesh. Meshes as blockMesh wri
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:])
+    main()

@@ -161,6 +161,17 @@ def test_help(tutorials, script):
     assert done.returncode != 0 and "Traceback" not in done.stdout
 
 
+@pytest.mark.parametrize("script", (
+    "features.py", "generalContact.py", "kernel.py", "plasticity.py",
+    "scaling.py", "startup.py", "trade/trade.py"))
+def test_help_of_benchmarks(tmp_path, script):
+    """They run for long, and replace pages: not if a word is wrong."""
+    script = str(root/"tests"/"benchmark"/script)
+    assert "usage:" in checked([script, "-h"], tmp_path)
+    done = execute([script, "--nonsense"], tmp_path)
+    assert done.returncode != 0 and "unrecognized" in done.stdout
+
+
 # Allwmake as one of OpenFOAM's modules: it links existing objects
 
 @pytest.mark.parametrize("variables", (
