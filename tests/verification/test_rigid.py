@@ -442,11 +442,11 @@ def test_turned_from_time_0(tmp_path, figures):
 
 # Displacement, velocity and angle of motions
 def waves(t):
-    return np.array((0.3*np.sin(2*t), 0.2*t**2, 0.1*np.cos(3*t) - 0.1))
+    return np.array((0.3*np.sin(2*t), 0, 0.1*np.cos(3*t) - 0.1))
 
 
 def wavesRate(t):
-    return np.array((0.6*np.cos(2*t), 0.4*t, -0.3*np.sin(3*t)))
+    return np.array((0.6*np.cos(2*t), 0, -0.3*np.sin(3*t)))
 
 
 def listedMotion(function):
@@ -756,6 +756,11 @@ BAD = {
                        timeDataFileName='"missing"'), "Cannot open"),
     "nothing held": ({"motion": {"velocity": (0, 1, 0)},
                       "freeTranslation": "(x y z)"}, "'freeTranslation'"),
+    "free, too": ({"motion": {"velocity": (1, 2, 0)},
+                   "freeTranslation": "(y)"}, "'freeTranslation' 1(y)"),
+    "free, as a function": (
+        {"freeTranslation": "(y z)", **moved(
+            "linearMotion", velocity=(1, 0, 2))}, "'freeTranslation' 2(y z)"),
     "both": ({"mass": 1}, "mass"),
     "axes": ({"freeRotation": "(x y)"}, "freeRotation"),
     "direction": ({"freeTranslation": "(up)"}, "freeTranslation"),

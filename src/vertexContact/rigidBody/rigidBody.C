@@ -33,24 +33,51 @@ constexpr label nLooks = 16;
 //  written with few digits
 constexpr scalar leaves = 1e-6;
 
+//- FatalIOError for a translation along directions that are free: it would be
+//  ignored. A motion that turns the body gives them its rotation only
+void checkHeld
+(
+    const septernion& pose,
+    const scalar time,
+    const tensor& free,
+    const dictionary& dict
+)
+{
+    if (mag(pose.r().v()) > SMALL) return;
+    const vector way(pose.transformPoint(point::zero));
+    if (mag(free & way) > leaves*mag(way))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Keyword 'motion' moves the body by " << way << " m until time "
+            << time << " s, also in directions in which it is free: "
+            << "'freeTranslation' "
+            << dict.getOrDefault("freeTranslation", wordList())
+            << ". Leave them out of one of the two" << exit(FatalIOError);
+    }
+}
+
+
 //- FatalIOError for a motion that takes a point and its surroundings out of the
-//  directions that the mesh solves
-void checkInMesh
+//  directions that the mesh solves, or along those that are free
+void checkMotion
 (
     obstacleMotion& motion,
     const point& start,
     const medianDual& dual,
+    const tensor& free,
     const dictionary& dict
 )
 {
-    if (dual.nDim() == 3) return;
-
     const Time& runTime = dual.mesh().time();
     const scalar begin = runTime.value();
     const scalar left = max(runTime.endTime().value() - begin, scalar(0));
     for (label look = 0; look <= nLooks; ++look)
     {
-        const septernion pose(motion.poseAt(begin + left*look/nLooks));
+        const scalar time = begin + left*look/nLooks;
+        const septernion pose(motion.poseAt(time));
+        checkHeld(pose, time, free, dict);
+        if (dual.nDim() == 3) continue;
+
         const vector way(pose.transformPoint(start) - start);
         bool inside = mag(way - dual.projected(way)) <= leaves*mag(way);
         for (direction i = 0; i < vector::nComponents; ++i)
@@ -70,8 +97,8 @@ void checkInMesh
         {
             FatalIOErrorInFunction(dict)
                 << "Keyword 'motion' moves or turns the body out of the "
-                << dual.nDim() << " directions of the mesh, at time "
-                << begin + left*look/nLooks << exit(FatalIOError);
+                << dual.nDim() << " directions of the mesh, at time " << time
+                << exit(FatalIOError);
         }
     }
 }
@@ -401,7 +428,10 @@ Foam::rigidBody::rigidBody
         motion_.reset(new obstacleMotion(dict, dual.mesh()));
     }
     readFreedoms(dict, mirrors);
-    if (motion_.valid()) checkInMesh(motion_(), start_, dual, dict);
+    if (motion_.valid())
+    {
+        checkMotion(motion_(), start_, dual, translation_, dict);
+    }
 
     hasForce_ = dict.found("force");
     if (hasForce_)
