@@ -169,6 +169,21 @@ CASES = {
     "patch of averages": (
         history("solidAverages", "fields (pointD); patch rihgt;"),
         ("controlDict", "patch", "rihgt", "right")),
+    "region of averages that is one of two": (
+        history("solidAverages", "fields (pointD); region (bar1 bar3);"),
+        ("controlDict", "region", "bar3", "bar1")),
+    "no region of averages": (
+        history("solidAverages", "fields (pointD); region ();"),
+        ("controlDict", "'region' is ()", "(bar1 bar2)")),
+    "no fields of extremes": (
+        history("solidExtremes", "fields ();"),
+        ("controlDict", "'fields' is ()", "sigmaEq")),
+    "no fields of probes": (
+        history("pointProbes", "region bar1; fields (); points ((0 0 0));"),
+        ("controlDict", "'fields' is ()", "sigmaEq")),
+    "no points of probes": (
+        history("pointProbes", "region bar1; fields (pointU); points ();"),
+        ("controlDict", "'points' is ()", "((0 0 0))")),
     "two sets": (
         history("solidAverages", "fields (pointD); patch left; cellZone a;"),
         ("controlDict", "patch", "cellZone", "one of them")),
