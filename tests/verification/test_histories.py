@@ -320,10 +320,11 @@ def test_face_zones(tmp_path, figures, ranks):
 def test_rows_of_every_function_object(tmp_path, figures):
     """Each of them writes a row each thousandth of the run, or when its
     writeControl says so, and one of the start, which of contact is that of the
-    first step."""
+    first step; none before timeStart."""
     endTime, interval = 14.0, 0.7
     controls = {
         "default": {}, "each": {"writeControl": "timeStep"},
+        "late": {"writeControl": "timeStep", "timeStart": endTime/2},
         "seventh": {"writeControl": "timeStep", "writeInterval": 7},
         "interval": {"writeControl": "runTime", "writeInterval": interval},
         "fields": {"writeControl": "writeTime"},
@@ -354,6 +355,7 @@ def test_rows_of_every_function_object(tmp_path, figures):
     passed = np.floor((t + 0.5*step)/interval)
     rows = {"default": t[np.diff(part, prepend=-1) > 0], "each": t,
             "seventh": t[::7], "interval": t[np.diff(passed, prepend=-1) > 0],
+            "late": t[t + 0.5*step > endTime/2],
             "fields": endTime*np.array((0, 0.5, 1)),
             "end": endTime*np.array((0, 1))}
     with figures("rows of every function object") as f:
@@ -367,7 +369,8 @@ def test_rows_of_every_function_object(tmp_path, figures):
                 wanted = expected
                 if kind == "contactForces":
                     first = t[1:2] if control == "default" else []
-                    wanted = np.concatenate((first, expected[1:]))
+                    wanted = expected if control == "late" else (
+                        np.concatenate((first, expected[1:])))
                 for file in files:
                     found = times(kind, control, file)
                     if (len(found) != len(wanted)
