@@ -264,6 +264,10 @@ CASES = {
     "unknown region of an interface": (
         replace(contact, r"\(bar1 right\)", "(bar3 right)"),
         ("contactProperties", "bar3")),
+    "interface that is there twice": (
+        replace(contact, r"interfaces\s*\{", "interfaces { again { sides ("
+                "(bar2 left) (bar1 right)); pairing nearestFace; }"),
+        ("contactProperties", "'again' and 'bars'", "'sides'")),
     "region without a mesh": (
         replace("constant/regionProperties", "bar2", "bar3"), ("bar3",)),
     "negative density": (
