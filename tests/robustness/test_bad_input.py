@@ -477,6 +477,10 @@ CASES = {
     "keyword of mass scaling": (
         control("massScaling { bar1 { factr 2; } }"),
         ("controlDict", "massScaling", "bar1", "factr", "factor")),
+    "interval of no length": (
+        edit("system/controlDict", {"writeControl": "runTime",
+                                    "writeInterval": -1}),
+        ("controlDict", "writeInterval", "-1", "positive")),
     "factor and step": (
         control("massScaling { bar1 { factor 2; step 1; } }"),
         ("controlDict", "bar1", "(factor step)")),
