@@ -788,6 +788,17 @@ def test_bad_input(tmp_path, name):
     assert "FOAM FATAL ERROR" not in out
 
 
+def test_short_step_of_a_spin(tmp_path):
+    """The step of a body that turns is short. No node of another body is the
+    reason."""
+    tool = Body((2, 2), "tool", (2, 0, 0), material=rigid(),
+                velocity=spinning((2.5, 0.5, 0), (0, 0, 1e6)))
+    code, out = SmallCase(tmp_path, [Body((2, 2)), tool], 1, preset=DEFAULT,
+                          control={"minDeltaT": 1e-3}).attempt()
+    assert code != 0
+    assert "(minDeltaT): the rigid region tool turns that fast, at time" in out
+
+
 @pytest.mark.parametrize("first, last, told", (
     (0, 0.5, "no pose at time 1 s"), (0.5, 1, "no pose at time 0 s"),
     (0, 1, "")))
