@@ -210,6 +210,39 @@ CASES = {
     "keyword of a contact law": (
         edit(contact, {"interfaces/bars/law/friction": 0.3}),
         ("contactProperties", "friction")),
+    **{f"{keyword} that is no dictionary": (
+        plastic(f"{more} {keyword} 5;"),
+        ("mechanicalProperties", f"'{keyword}' is not a dictionary", example))
+       for keyword, more, example in (
+        ("JohnsonCook", "", "A 9e7;"),
+        ("adiabaticHeating", "tauY 1;", "cp 385;"))},
+    "vertexCentred that is no dictionary": (
+        rewrite(schemes, "vertexCentred 5;"),
+        ("fvSchemes", "'vertexCentred' is not a dictionary", "cells")),
+    "obstacle that is no dictionary": (
+        obstacle(None, "obstacle plane;"),
+        ("contactProperties", "'obstacle' is not a dictionary", "sphere")),
+    "motion that is no dictionary": (
+        obstacle(PLANE, "motion still;"),
+        ("contactProperties", "'motion' is not a dictionary", "velocity")),
+    "obstacle that OpenFOAM refuses": (
+        obstacle(PLANE.replace("(-1 0 0)", "(0 0 0)")),
+        ("contactProperties.interfaces.wall.obstacle", "plane",
+         "zero length")),
+    **{f"table of a {name}": (
+        action, (file, f"Keyword '{name}'", "out-of-order"))
+       for name, file, action in (
+        ("velocity", "pointU.boundaryField.left",
+         held("type fixedVelocity; "
+              "velocity table ((0 (0 0 0)) (2 (0 0 0)) (1 (0 0 0)));")),
+        ("displacement", "contactProperties.interfaces.wall.motion",
+         obstacle(PLANE, "motion { displacement table ((1 (0 0 0)) "
+                         "(0 (0 0 0))); }")),
+        ("hardeningCurve", "mechanicalProperties",
+         plastic("hardeningCurve table ((0 1) (2 2) (1 3));")))},
+    "dimensions after a name": (
+        replace(material, r"\brho\s[^;]*;", "rho rho [0 1 0 0 0 0 0] 1;"),
+        ("mechanicalProperties", "'rho'", "[1 -3 0 0 0 0 0]")),
     "keyword of a boundary condition": (
         replace(velocity, r"tractionFree;", "tractionFree; preasure 3;"),
         ("pointU", "preasure")),
@@ -231,6 +264,10 @@ CASES = {
     "unknown cells": (
         edit(schemes, {"vertexCentred/cells": "simplical"}),
         ("fvSchemes", "simplical", "simplicial")),
+    "interface that is there twice": (
+        replace(contact, r"interfaces\s*\{", "interfaces { again { sides ("
+                "(bar2 left) (bar1 right)); pairing nearestFace; }"),
+        ("contactProperties", "'again' and 'bars'", "'sides'")),
     "unknown pairing": (
         edit(contact, {"interfaces/bars/pairing": "matchin"}),
         ("contactProperties", "matchin", "matching")),
@@ -264,10 +301,6 @@ CASES = {
     "unknown region of an interface": (
         replace(contact, r"\(bar1 right\)", "(bar3 right)"),
         ("contactProperties", "bar3")),
-    "interface that is there twice": (
-        replace(contact, r"interfaces\s*\{", "interfaces { again { sides ("
-                "(bar2 left) (bar1 right)); pairing nearestFace; }"),
-        ("contactProperties", "'again' and 'bars'", "'sides'")),
     "region without a mesh": (
         replace("constant/regionProperties", "bar2", "bar3"), ("bar3",)),
     "negative density": (
@@ -444,6 +477,10 @@ CASES = {
         all_of(control('#include "shared"'),
                rewrite("system/shared", "maxCoo 0.1; radius 3;")),
         ("controlDict", "'maxCoo'", "maxCo")),
+    "interval of no length": (
+        edit("system/controlDict", {"writeControl": "runTime",
+                                    "writeInterval": -1}),
+        ("controlDict", "writeInterval", "-1", "positive")),
     "longest step of no length": (
         edit("system/controlDict", {"maxDeltaT": 0}),
         ("controlDict", "maxDeltaT", "0", "positive")),
@@ -477,10 +514,6 @@ CASES = {
     "keyword of mass scaling": (
         control("massScaling { bar1 { factr 2; } }"),
         ("controlDict", "massScaling", "bar1", "factr", "factor")),
-    "interval of no length": (
-        edit("system/controlDict", {"writeControl": "runTime",
-                                    "writeInterval": -1}),
-        ("controlDict", "writeInterval", "-1", "positive")),
     "factor and step": (
         control("massScaling { bar1 { factor 2; step 1; } }"),
         ("controlDict", "bar1", "(factor step)")),
