@@ -788,6 +788,22 @@ def test_bad_input(tmp_path, name):
     assert "FOAM FATAL ERROR" not in out
 
 
+@pytest.mark.parametrize("motion, good", (
+    ({"velocity": (0.1, 0, 0.2)}, True), ({"velocity": (0.1, 0.1, 0)}, False),
+    (moved("rotatingMotion", origin=(0, 0, 0), axis=(0, 1, 0),
+           omega=1)["motion"], True),
+    (moved("rotatingMotion", origin=(0, 0, 0), axis=(0, 0, 1),
+           omega=1)["motion"], False)))
+def test_motion_off_a_mirror(tmp_path, motion, good):
+    """A mirror stays where it is, so the body may only move along it."""
+    body = Body((1, 1, 1), sides={"bottom": "symmetryPlane"},
+                material=rigid(motion=motion))
+    code, out = SmallCase(tmp_path, body, 1, preset=DEFAULT, control={
+        **FIXED, "deltaT": 0.1}).attempt()
+    assert (code == 0) == good, out
+    assert good or "off its mirror" in out and "normal (0 -1 0)" in out, out
+
+
 def test_short_step_of_a_spin(tmp_path):
     """The step of a body that turns is short. No node of another body is the
     reason."""

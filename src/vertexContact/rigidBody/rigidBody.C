@@ -57,14 +57,39 @@ void checkHeld
 }
 
 
+//- FatalIOError for a motion that takes a point off a mirror, or turns a mirror
+void checkMirrors
+(
+    const septernion& pose,
+    const scalar time,
+    const vector& way,
+    const vectorField& mirrors,
+    const dictionary& dict
+)
+{
+    for (const vector& n : mirrors)
+    {
+        const vector turned(pose.r().R() & n);
+        if (mag(way & n) > leaves*mag(way) || mag(turned - n) > leaves)
+        {
+            FatalIOErrorInFunction(dict)
+                << "Keyword 'motion' moves or turns the body off its mirror "
+                << "(slip, symmetryPlane or symmetry) with the normal " << n
+                << ", at time " << time << exit(FatalIOError);
+        }
+    }
+}
+
+
 //- FatalIOError for a motion that takes a point and its surroundings out of the
-//  directions that the mesh solves, or along those that are free
+//  directions that the mesh solves, along those that are free, or off a mirror
 void checkMotion
 (
     obstacleMotion& motion,
     const point& start,
     const medianDual& dual,
     const tensor& free,
+    const vectorField& mirrors,
     const dictionary& dict
 )
 {
@@ -75,10 +100,11 @@ void checkMotion
     {
         const scalar time = begin + left*look/nLooks;
         const septernion pose(motion.poseAt(time));
+        const vector way(pose.transformPoint(start) - start);
         checkHeld(pose, time, free, dict);
+        checkMirrors(pose, time, way, mirrors, dict);
         if (dual.nDim() == 3) continue;
 
-        const vector way(pose.transformPoint(start) - start);
         bool inside = mag(way - dual.projected(way)) <= leaves*mag(way);
         for (direction i = 0; i < vector::nComponents; ++i)
         {
@@ -430,7 +456,7 @@ Foam::rigidBody::rigidBody
     readFreedoms(dict, mirrors);
     if (motion_.valid())
     {
-        checkMotion(motion_(), start_, dual, translation_, dict);
+        checkMotion(motion_(), start_, dual, translation_, mirrors, dict);
     }
 
     hasForce_ = dict.found("force");
