@@ -169,6 +169,21 @@ CASES = {
     "patch of averages": (
         history("solidAverages", "fields (pointD); patch rihgt;"),
         ("controlDict", "patch", "rihgt", "right")),
+    "region of averages that is one of two": (
+        history("solidAverages", "fields (pointD); region (bar1 bar3);"),
+        ("controlDict", "region", "bar3", "bar1")),
+    "no region of averages": (
+        history("solidAverages", "fields (pointD); region ();"),
+        ("controlDict", "'region' is ()", "(bar1 bar2)")),
+    "no fields of extremes": (
+        history("solidExtremes", "fields ();"),
+        ("controlDict", "'fields' is ()", "sigmaEq")),
+    "no fields of probes": (
+        history("pointProbes", "region bar1; fields (); points ((0 0 0));"),
+        ("controlDict", "'fields' is ()", "sigmaEq")),
+    "no points of probes": (
+        history("pointProbes", "region bar1; fields (pointU); points ();"),
+        ("controlDict", "'points' is ()", "((0 0 0))")),
     "two sets": (
         history("solidAverages", "fields (pointD); patch left; cellZone a;"),
         ("controlDict", "patch", "cellZone", "one of them")),
@@ -195,6 +210,39 @@ CASES = {
     "keyword of a contact law": (
         edit(contact, {"interfaces/bars/law/friction": 0.3}),
         ("contactProperties", "friction")),
+    **{f"{keyword} that is no dictionary": (
+        plastic(f"{more} {keyword} 5;"),
+        ("mechanicalProperties", f"'{keyword}' is not a dictionary", example))
+       for keyword, more, example in (
+        ("JohnsonCook", "", "A 9e7;"),
+        ("adiabaticHeating", "tauY 1;", "cp 385;"))},
+    "vertexCentred that is no dictionary": (
+        rewrite(schemes, "vertexCentred 5;"),
+        ("fvSchemes", "'vertexCentred' is not a dictionary", "cells")),
+    "obstacle that is no dictionary": (
+        obstacle(None, "obstacle plane;"),
+        ("contactProperties", "'obstacle' is not a dictionary", "sphere")),
+    "motion that is no dictionary": (
+        obstacle(PLANE, "motion still;"),
+        ("contactProperties", "'motion' is not a dictionary", "velocity")),
+    "obstacle that OpenFOAM refuses": (
+        obstacle(PLANE.replace("(-1 0 0)", "(0 0 0)")),
+        ("contactProperties.interfaces.wall.obstacle", "plane",
+         "zero length")),
+    **{f"table of a {name}": (
+        action, (file, f"Keyword '{name}'", "out-of-order"))
+       for name, file, action in (
+        ("velocity", "pointU.boundaryField.left",
+         held("type fixedVelocity; "
+              "velocity table ((0 (0 0 0)) (2 (0 0 0)) (1 (0 0 0)));")),
+        ("displacement", "contactProperties.interfaces.wall.motion",
+         obstacle(PLANE, "motion { displacement table ((1 (0 0 0)) "
+                         "(0 (0 0 0))); }")),
+        ("hardeningCurve", "mechanicalProperties",
+         plastic("hardeningCurve table ((0 1) (2 2) (1 3));")))},
+    "dimensions after a name": (
+        replace(material, r"\brho\s[^;]*;", "rho rho [0 1 0 0 0 0 0] 1;"),
+        ("mechanicalProperties", "'rho'", "[1 -3 0 0 0 0 0]")),
     "keyword of a boundary condition": (
         replace(velocity, r"tractionFree;", "tractionFree; preasure 3;"),
         ("pointU", "preasure")),
@@ -216,6 +264,10 @@ CASES = {
     "unknown cells": (
         edit(schemes, {"vertexCentred/cells": "simplical"}),
         ("fvSchemes", "simplical", "simplicial")),
+    "interface that is there twice": (
+        replace(contact, r"interfaces\s*\{", "interfaces { again { sides ("
+                "(bar2 left) (bar1 right)); pairing nearestFace; }"),
+        ("contactProperties", "'again' and 'bars'", "'sides'")),
     "unknown pairing": (
         edit(contact, {"interfaces/bars/pairing": "matchin"}),
         ("contactProperties", "matchin", "matching")),
@@ -425,6 +477,10 @@ CASES = {
         all_of(control('#include "shared"'),
                rewrite("system/shared", "maxCoo 0.1; radius 3;")),
         ("controlDict", "'maxCoo'", "maxCo")),
+    "interval of no length": (
+        edit("system/controlDict", {"writeControl": "runTime",
+                                    "writeInterval": -1}),
+        ("controlDict", "writeInterval", "-1", "positive")),
     "longest step of no length": (
         edit("system/controlDict", {"maxDeltaT": 0}),
         ("controlDict", "maxDeltaT", "0", "positive")),

@@ -99,6 +99,15 @@ def test_number_of_steps(tmp_path, control):
         assert "\nSteps: none" in dryRun(case).stdout
 
 
+def test_number_of_steps_beyond_all_digits(tmp_path):
+    """Of wrong units, say: told, where the count is no integer any more."""
+    case = bars(tmp_path)
+    case.set("constant/left/mechanicalProperties", {"E": 1e59})
+    done = dryRun(case)
+    assert done.returncode == 0, done.stdout
+    assert number(r"\nSteps: (\S+) to time", done.stdout) > 1e20
+
+
 def test_dry_run_of_a_restart(tmp_path):
     """The dry run starts from the latest complete time. It does not rename an
     incomplete one."""

@@ -19,7 +19,7 @@ from vertexContactTests.caseTools import (DEFAULT, PRESET, Case, checked,
                                           timeLimit)
 from vertexContactTests.collisions import collision
 from vertexContactTests.smallCases import (FLOOR, RUBBER, Body, SmallCase,
-                                           condition, coulomb, table)
+                                           condition, coulomb, interface, table)
 
 INTERVALS = 40
 NAME = "friction, nearestFace"
@@ -428,6 +428,23 @@ def test_short_step(straight, tmp_path, figures, ranks):
         f.within("time written [s]",
                  float(timeFolders(case/rankFolders(ranks)[0])[-1]), stop,
                  1e-5*stop)
+
+
+@pytest.mark.parametrize("ranks", (1, 2))
+def test_short_step_of_an_impact(tmp_path, ranks):
+    """In a step surfaces approach each other by a part of a cell: the message
+    names them."""
+    bodies = [Body((4, 4), "below", sides={"top": "contact"}),
+              Body((4, 4), "above", (0, 1.05, 0), sides={"bottom": "contact"},
+                   velocity=(0, -10, 0))]
+    code, log = SmallCase(
+        tmp_path, bodies, 1, preset="balanced",
+        control={"minDeltaT": 0.05}, interfaces={"impact": interface(
+            ("below", "top"), ("above", "bottom"), pairing="nearestFace")}
+        ).attempt(ranks)
+    assert code != 0
+    assert ("(minDeltaT): the surfaces of interface impact approach each other "
+            "too fast, at time 0 s") in log, log
 
 
 @pytest.mark.parametrize("ranks", (1, 2))

@@ -211,6 +211,16 @@ def test_bodies_apart(tmp_path, figures):
         f.equal("failed checks", len(asked.failed), 2)
 
 
+@pytest.mark.parametrize("option, value", (
+    ("minCoverage", "2"), ("minCoverage", "-0.1"), ("maxPenetration", "-1")))
+def test_limit_out_of_its_range(tmp_path, option, value):
+    """No surface could meet it."""
+    case = small(tmp_path, blocks((4, 4), (4, 4)), "nearestFace")
+    done = execute(["checkContact", f"-{option}", value], case.path)
+    assert done.returncode == 1
+    assert f"Option -{option} is {value}: it must be" in done.stdout
+
+
 # Bad interfaces
 
 @pytest.mark.parametrize("ranks", (1, 2))

@@ -326,10 +326,11 @@ def test_face_zones(tmp_path, figures, ranks):
 def test_rows_of_every_function_object(tmp_path, figures):
     """Each function object writes a row at each thousandth of the run, or as
     its writeControl says, and one at the start (for contact, a row of the
-    first step)."""
+    first step); none before timeStart."""
     endTime, interval = 14.0, 0.7
     controls = {
         "default": {}, "each": {"writeControl": "timeStep"},
+        "late": {"writeControl": "timeStep", "timeStart": endTime/2},
         "seventh": {"writeControl": "timeStep", "writeInterval": 7},
         "interval": {"writeControl": "runTime", "writeInterval": interval},
         "fields": {"writeControl": "writeTime"},
@@ -360,6 +361,7 @@ def test_rows_of_every_function_object(tmp_path, figures):
     passed = np.floor((t + 0.5*step)/interval)
     rows = {"default": t[np.diff(part, prepend=-1) > 0], "each": t,
             "seventh": t[::7], "interval": t[np.diff(passed, prepend=-1) > 0],
+            "late": t[t + 0.5*step > endTime/2],
             "fields": endTime*np.array((0, 0.5, 1)),
             "end": endTime*np.array((0, 1))}
     with figures("rows of every function object") as f:
@@ -373,7 +375,8 @@ def test_rows_of_every_function_object(tmp_path, figures):
                 wanted = expected
                 if kind == "contactForces":
                     first = t[1:2] if control == "default" else []
-                    wanted = np.concatenate((first, expected[1:]))
+                    wanted = expected if control == "late" else (
+                        np.concatenate((first, expected[1:])))
                 for file in files:
                     found = times(kind, control, file)
                     if (len(found) != len(wanted)

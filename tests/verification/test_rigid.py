@@ -445,11 +445,11 @@ def test_turned_from_time_0(tmp_path, figures):
 
 # Displacement, velocity and angle of motions
 def waves(t):
-    return np.array((0.3*np.sin(2*t), 0.2*t**2, 0.1*np.cos(3*t) - 0.1))
+    return np.array((0.3*np.sin(2*t), 0, 0.1*np.cos(3*t) - 0.1))
 
 
 def wavesRate(t):
-    return np.array((0.6*np.cos(2*t), 0.4*t, -0.3*np.sin(3*t)))
+    return np.array((0.6*np.cos(2*t), 0, -0.3*np.sin(3*t)))
 
 
 def listedMotion(function):
@@ -761,6 +761,11 @@ BAD = {
                        timeDataFileName='"missing"'), "Cannot open"),
     "nothing held": ({"motion": {"velocity": (0, 1, 0)},
                       "freeTranslation": "(x y z)"}, "'freeTranslation'"),
+    "free, too": ({"motion": {"velocity": (1, 2, 0)},
+                   "freeTranslation": "(y)"}, "'freeTranslation' 1(y)"),
+    "free, as a function": (
+        {"freeTranslation": "(y z)", **moved(
+            "linearMotion", velocity=(1, 0, 2))}, "'freeTranslation' 2(y z)"),
     "both": ({"mass": 1}, "mass"),
     "axes": ({"freeRotation": "(x y)"}, "freeRotation"),
     "direction": ({"freeTranslation": "(up)"}, "freeTranslation"),
@@ -786,6 +791,33 @@ def test_bad_input(tmp_path, name):
     assert code != 0 and "FOAM FATAL IO ERROR" in out
     assert keyword in out and "mechanicalProperties" in out
     assert "FOAM FATAL ERROR" not in out
+
+
+@pytest.mark.parametrize("motion, good", (
+    ({"velocity": (0.1, 0, 0.2)}, True), ({"velocity": (0.1, 0.1, 0)}, False),
+    (moved("rotatingMotion", origin=(0, 0, 0), axis=(0, 1, 0),
+           omega=1)["motion"], True),
+    (moved("rotatingMotion", origin=(0, 0, 0), axis=(0, 0, 1),
+           omega=1)["motion"], False)))
+def test_motion_off_a_mirror(tmp_path, motion, good):
+    """A mirror stays where it is, so the body may only move along it."""
+    body = Body((1, 1, 1), sides={"bottom": "symmetryPlane"},
+                material=rigid(motion=motion))
+    code, out = SmallCase(tmp_path, body, 1, preset=DEFAULT, control={
+        **FIXED, "deltaT": 0.1}).attempt()
+    assert (code == 0) == good, out
+    assert good or "off its mirror" in out and "normal (0 -1 0)" in out, out
+
+
+def test_short_step_of_a_spin(tmp_path):
+    """The step of a body that turns is short. No node of another body is the
+    reason."""
+    tool = Body((2, 2), "tool", (2, 0, 0), material=rigid(),
+                velocity=spinning((2.5, 0.5, 0), (0, 0, 1e6)))
+    code, out = SmallCase(tmp_path, [Body((2, 2)), tool], 1, preset=DEFAULT,
+                          control={"minDeltaT": 1e-3}).attempt()
+    assert code != 0
+    assert "(minDeltaT): the rigid region tool turns too fast, at time" in out
 
 
 @pytest.mark.parametrize("first, last, told", (

@@ -119,6 +119,18 @@ int main(int argc, char *argv[])
         args.getOrDefault<scalar>("minCoverage", limits.minCoverage);
     limits.maxPenetration =
         args.getOrDefault<scalar>("maxPenetration", limits.maxPenetration);
+    if (!(limits.minCoverage >= 0 && limits.minCoverage <= 1))
+    {
+        FatalErrorInFunction
+            << "Option -minCoverage is " << limits.minCoverage
+            << ": it must be from 0 to 1" << exit(FatalError);
+    }
+    if (!(limits.maxPenetration >= 0))
+    {
+        FatalErrorInFunction
+            << "Option -maxPenetration is " << limits.maxPenetration
+            << ": it must be at least 0" << exit(FatalError);
+    }
     const bool vtk = !args.found("noVtk");
 
     const instantList times(timeSelector::selectIfPresent(runTime, args));

@@ -277,6 +277,26 @@ Foam::variationalBody::powers Foam::variationalBody::powersOf
 }
 
 
+Foam::scalar Foam::variationalBody::internalPower
+(
+    const scalarField& velocity
+) const
+{
+    const label d = dual_.nDim();
+    const powers p(powersOf(velocity));
+    scalar all = 0;
+    for (label a = 0; a < dual_.nNodes(); ++a)
+    {
+        const scalar* rate = data_.rates.cdata() + a*data_.strideRates;
+        for (label i = 0; i < d; ++i)
+        {
+            all += ownedVolume_[a]*rate[i]*velocity[a*d + i];
+        }
+    }
+    return all - p.external - p.contact + p.numericalDissipation;
+}
+
+
 Foam::variationalBody::powers Foam::variationalBody::presentPowers() const
 {
     if (!evaluated_) return powers();
@@ -367,6 +387,14 @@ void Foam::variationalBody::leap
         {
             accounts.damping +=
                 kick*dampingPower(v, damping_->ofMean(kick));
+        }
+        if (lastStep_ == 0)
+        {
+            // The first kick lasts half a step. With the mean velocity internal
+            // forces do less work in it than the strain energy loses, which
+            // changes with the velocity at its end
+            forAll(v, k) v[k] = perRho*(lm[k] - data_.old.lm[k]);
+            accounts.startSwing += 0.5*kick*internalPower(v);
         }
     }
     if (reactions_.valid()) reactions_->add(data_, kick);

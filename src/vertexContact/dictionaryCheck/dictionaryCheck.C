@@ -269,6 +269,55 @@ void Foam::dictionaryCheck::warnLeftOut
 }
 
 
+const Foam::dictionary& Foam::dictionaryCheck::subDict
+(
+    const dictionary& dict,
+    const word& keyword,
+    const char* example
+)
+{
+    if (!dict.isDict(keyword))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Keyword '" << keyword << "' is not a dictionary. Example: "
+            << keyword << " { " << example << " }" << exit(FatalIOError);
+    }
+    return dict.subDict(keyword);
+}
+
+
+void Foam::dictionaryCheck::told
+(
+    const dictionary& dict,
+    const string& what,
+    const std::function<void()>& f
+)
+{
+    const bool throws = FatalError.throwExceptions();
+    string why;
+    try
+    {
+        f();
+    }
+    catch (const Foam::IOerror&)
+    {
+        FatalError.throwExceptions(throws);
+        throw;
+    }
+    catch (const Foam::error& e)
+    {
+        why = e.message();
+    }
+    FatalError.throwExceptions(throws);
+    if (why.size())
+    {
+        FatalIOErrorInFunction(dict)
+            << what.c_str() << ". OpenFOAM: " << why.c_str()
+            << exit(FatalIOError);
+    }
+}
+
+
 void Foam::dictionaryCheck::unknownModel
 (
     const dictionary& dict,

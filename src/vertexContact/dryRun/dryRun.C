@@ -74,6 +74,15 @@ PtrList<functionObject> ownFunctionObjects
     return own;
 }
 
+
+//- Write a number of steps, with all digits unless these are more than a number
+//  has
+void writeCount(OSstream& os, const scalar n)
+{
+    if (n < 1/SMALL) os << std::int64_t(n);
+    else os << n;
+}
+
 } // End anonymous namespace
 
 
@@ -160,8 +169,9 @@ void Foam::dryRun(solidSystem& solids, Time& runTime, OSstream& os)
         << (Pstream::parRun() ? "all processes" : "the process") << nl
         << "Step: " << deltaT << " s at the start, stable step is " << stable
         << " s (at Co 1)" << nl
-        << "Steps: " << std::int64_t(steps) << " to time " << end
-        << " s with this step" << nl;
+        << "Steps: ";
+    writeCount(os, steps);
+    os  << " to time " << end << " s with this step" << nl;
 
     if (solids.bodies().size() > 1) solids.reportSteps(os);
 
@@ -188,16 +198,16 @@ void Foam::dryRun(solidSystem& solids, Time& runTime, OSstream& os)
         os  << "    not included: the time to write";
         if (solids.control().fittedInterval() < GREAT)
         {
-            os  << ' '
-                << std::int64_t
-                   (
-                       wholeSteps::within
-                       (
-                           (end - startOfRun)
-                          /solids.control().fittedInterval()
-                       )
-                   )
-                << " times";
+            os  << ' ';
+            writeCount
+            (
+                os,
+                wholeSteps::within
+                (
+                    (end - startOfRun)/solids.control().fittedInterval()
+                )
+            );
+            os  << " times";
         }
         os  << ", and later costs of contact and plastic flow" << nl;
     }

@@ -99,7 +99,8 @@ Foam::schemeOptions::schemeOptions
 
     using namespace dictionaryCheck;
 
-    const dictionary& dict = fvSchemes.subDict("vertexCentred");
+    const dictionary& dict =
+        subDict(fvSchemes, "vertexCentred", "cells simplicial;");
     refuseOther(dict);
     onlyKeywords(dict, keywords());
 

@@ -89,7 +89,7 @@ void Foam::motionFunction::readRotation(const dictionary& coeffs)
             << "Keyword 'axis' is " << axis_ << ": it must not be zero"
             << exit(FatalIOError);
     }
-    omega_ = Function1<scalar>::New("omega", coeffs);
+    omega_ = dictionaryCheck::readFunction<scalar>("omega", coeffs);
     functionIntegral::check(coeffs, "omega", *omega_, "a function");
 }
 
@@ -147,35 +147,16 @@ void Foam::motionFunction::readOther(const Time& time)
 }
 
 
-template<class Function>
 void Foam::motionFunction::told
 (
     const string& where,
-    const Function& f
+    const std::function<void()>& f
 ) const
 {
-    const bool throws = FatalError.throwExceptions();
-    string why;
-    try
-    {
-        f();
-    }
-    catch (const Foam::IOerror&)
-    {
-        FatalError.throwExceptions(throws);
-        throw;
-    }
-    catch (const Foam::error& e)
-    {
-        why = e.message();
-    }
-    FatalError.throwExceptions(throws);
-    if (why.size())
-    {
-        FatalIOErrorInFunction(dict_)
-            << "Keyword '" << nameKey << "' is " << type_ << where.c_str()
-            << ". OpenFOAM: " << why.c_str() << exit(FatalIOError);
-    }
+    dictionaryCheck::told
+    (
+        dict_, "Keyword '" + nameKey + "' is " + type_ + where, f
+    );
 }
 
 

@@ -39,14 +39,15 @@ Foam::obstacleMotion::obstacleMotion
 {
     if (dict.found("motion"))
     {
-        const dictionary& motion = dict.subDict("motion");
+        const dictionary& motion =
+            dictionaryCheck::subDict(dict, "motion", "velocity (0 0 1);");
         label nGiven = 0;
         for (const word w : {"displacement", "velocity"})
         {
             if (!motion.found(w)) continue;
             ++nGiven;
             dictionaryCheck::onlyKeywords(motion, keywords());
-            translation_ = Function1<vector>::New(w, motion);
+            translation_ = dictionaryCheck::readFunction<vector>(w, motion);
             velocity_ = w == "velocity";
             if (velocity_)
             {

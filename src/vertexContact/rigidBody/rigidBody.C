@@ -33,25 +33,78 @@ constexpr label nLooks = 16;
 //  written with few digits
 constexpr scalar leaves = 1e-6;
 
+//- FatalIOError for a translation along directions that are free: it would be
+//  ignored. A motion that turns the body gives them its rotation only
+void checkHeld
+(
+    const septernion& pose,
+    const scalar time,
+    const tensor& free,
+    const dictionary& dict
+)
+{
+    if (mag(pose.r().v()) > SMALL) return;
+    const vector way(pose.transformPoint(point::zero));
+    if (mag(free & way) > leaves*mag(way))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Keyword 'motion' moves the body by " << way << " m until time "
+            << time << " s, also in directions in which it is free: "
+            << "'freeTranslation' "
+            << dict.getOrDefault("freeTranslation", wordList())
+            << ". Leave them out of one of the two" << exit(FatalIOError);
+    }
+}
+
+
+//- FatalIOError for a motion that takes a point off a mirror, or turns a mirror
+void checkMirrors
+(
+    const septernion& pose,
+    const scalar time,
+    const vector& way,
+    const vectorField& mirrors,
+    const dictionary& dict
+)
+{
+    for (const vector& n : mirrors)
+    {
+        const vector turned(pose.r().R() & n);
+        if (mag(way & n) > leaves*mag(way) || mag(turned - n) > leaves)
+        {
+            FatalIOErrorInFunction(dict)
+                << "Keyword 'motion' moves or turns the body off its mirror "
+                << "(slip, symmetryPlane or symmetry) with the normal " << n
+                << ", at time " << time << " s" << exit(FatalIOError);
+        }
+    }
+}
+
+
 //- FatalIOError for a motion that takes a point and its surroundings out of the
-//  directions that the mesh solves
-void checkInMesh
+//  directions that the mesh solves, along those that are free, or off a mirror
+void checkMotion
 (
     obstacleMotion& motion,
     const point& start,
     const medianDual& dual,
+    const tensor& free,
+    const vectorField& mirrors,
     const dictionary& dict
 )
 {
-    if (dual.nDim() == 3) return;
-
     const Time& runTime = dual.mesh().time();
     const scalar begin = runTime.value();
     const scalar left = max(runTime.endTime().value() - begin, scalar(0));
     for (label look = 0; look <= nLooks; ++look)
     {
-        const septernion pose(motion.poseAt(begin + left*look/nLooks));
+        const scalar time = begin + left*look/nLooks;
+        const septernion pose(motion.poseAt(time));
         const vector way(pose.transformPoint(start) - start);
+        checkHeld(pose, time, free, dict);
+        checkMirrors(pose, time, way, mirrors, dict);
+        if (dual.nDim() == 3) continue;
+
         bool inside = mag(way - dual.projected(way)) <= leaves*mag(way);
         for (direction i = 0; i < vector::nComponents; ++i)
         {
@@ -70,8 +123,8 @@ void checkInMesh
         {
             FatalIOErrorInFunction(dict)
                 << "Keyword 'motion' moves or turns the body out of the "
-                << dual.nDim() << " directions of the mesh, at time "
-                << begin + left*look/nLooks << " s" << exit(FatalIOError);
+                << dual.nDim() << " directions of the mesh, at time " << time
+                << " s" << exit(FatalIOError);
         }
     }
 }
@@ -402,7 +455,10 @@ Foam::rigidBody::rigidBody
         motion_.reset(new obstacleMotion(dict, dual.mesh()));
     }
     readFreedoms(dict, mirrors);
-    if (motion_.valid()) checkInMesh(motion_(), start_, dual, dict);
+    if (motion_.valid())
+    {
+        checkMotion(motion_(), start_, dual, translation_, mirrors, dict);
+    }
 
     hasForce_ = dict.found("force");
     if (hasForce_)

@@ -60,6 +60,15 @@ Foam::stepControl::stepControl(const Time& runTime, const preset& defaults)
     }
     maxDeltaT();
     logInterval();
+    if (dict().found("writeInterval"))
+    {
+        // With OpenFOAM's other controls, too, nothing would be written
+        const scalar interval = dict().get<scalar>("writeInterval");
+        dictionaryCheck::require
+        (
+            interval > 0, dict(), "writeInterval", interval, "positive"
+        );
+    }
     dictionaryCheck::require
     (
         contactIterations() > 0, dict(), "contactIterations",

@@ -133,6 +133,7 @@ void Foam::contactSystem::read(const Time& runTime)
     (
         contactIO.objectPath(), bodies_, interfaces_
     );
+    systemChecks::sameSides(contactIO.objectPath(), interfaces_);
     setOpposite();
 }
 

@@ -32,7 +32,8 @@ constexpr accountEntry accountEntries[] =
     accountOf(externalWork, external),
     accountOf(contactWork, contact),
     accountOf(dampingDissipation, damping),
-    accountOf(relaxationDissipation, relaxation)
+    accountOf(relaxationDissipation, relaxation),
+    accountOf(startSwing, startSwing)
 };
 
 #undef accountOf
@@ -176,7 +177,8 @@ Foam::List<Foam::bodyEnergies> Foam::energyAccounts::compute
         e.balance =
             e.kept() - initial_[i] + e.numericalDissipation
           + e.plasticDissipation + e.dampingDissipation
-          + e.relaxationDissipation - e.externalWork - e.contactWork;
+          + e.relaxationDissipation + e.startSwing - e.externalWork
+          - e.contactWork;
         e.roundOff = roundOff_[i];
         all.last() += e;
     }

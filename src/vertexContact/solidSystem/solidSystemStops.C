@@ -33,18 +33,23 @@ void Foam::solidSystem::checkTimeStep()
 {
     if (leastTimeStep_ == 0)
     {
-        leastTimeStep_ = control_.minDeltaT
+        // Steps are counted by a division
+        leastTimeStep_ = max
         (
-            stepControl::leastStep
-           *(
-                systemChecks::allRigid(bodies_)
-              ? min(choice_.limit(), runTime_.deltaTValue())
-              : choice_.limit()
+            VSMALL,
+            control_.minDeltaT
+            (
+                stepControl::leastStep
+               *(
+                    systemChecks::allRigid(bodies_)
+                  ? min(choice_.limit(), runTime_.deltaTValue())
+                  : choice_.limit()
+                )
             )
         );
     }
     if (choice_.limit() >= leastTimeStep_) return;
-    const string what = nodeMessage::firstOf
+    string what = nodeMessage::firstOf
     (
         nodeMessage::here
         (
@@ -55,6 +60,38 @@ void Foam::solidSystem::checkTimeStep()
             }
         )
     );
+    string cures
+    (
+        "less distorted cells at this place, or a material that is meant for "
+        "such deformations."
+    );
+    if (what.empty())
+    {
+        // Not the cells of a body
+        scalar fastest = 0;
+        for (const contactInterface& contact : interfaces())
+        {
+            const scalar closing = returnReduce
+            (
+                contact.stageStatistics().closing, maxOp<scalar>()
+            );
+            if (closing > fastest)
+            {
+                what =
+                    "the surfaces of interface " + contact.name()
+                  + " approach each other too fast";
+                fastest = closing;
+            }
+        }
+        for (solidBody& body : bodies_)
+        {
+            if (body.rigid() && body.timeScale(false) <= choice_.limit())
+            {
+                what = "the rigid region " + body.name() + " turns too fast";
+            }
+        }
+        cures = "a lower speed, or a smaller minDeltaT.";
+    }
     if (runTime_.value() != done_.start && !dry_)
     {
         runTime_.writeNow();
@@ -63,8 +100,7 @@ void Foam::solidSystem::checkTimeStep()
         << "The stable time step has fallen to " << choice_.limit()
         << " s, below " << leastTimeStep_ << " s (minDeltaT): "
         << what.c_str() << ", at time " << runTime_.value() << " s." << nl
-        << "Likely cures: less distorted cells at this place, or a material "
-        << "that is meant for such deformations." << exit(FatalError);
+        << "Likely cures: " << cures.c_str() << exit(FatalError);
 }
 
 

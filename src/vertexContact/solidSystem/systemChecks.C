@@ -10,6 +10,8 @@
 #include "dictionaryCheck.H"
 #include "fileError.H"
 #include "IOdictionary.H"
+#include <algorithm>
+#include <map>
 #include <set>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -278,6 +280,35 @@ void Foam::systemChecks::contactPatches
                     << "' as a side, but its 'type' in pointU is "
                     << "'contact'" << exit(FatalIOError);
             }
+        }
+    }
+}
+
+
+void Foam::systemChecks::sameSides
+(
+    const fileName& file,
+    const PtrList<contactInterface>& interfaces
+)
+{
+    typedef std::pair<const solidBody*, label> surface;
+    std::map<std::pair<surface, surface>, word> pairs;
+    for (const contactInterface& contact : interfaces)
+    {
+        const List<contactSide> sides(contact.sides());
+        if (contact.many() || sides.size() < 2) continue;
+        const surface a(sides.first().body, sides.first().patchi);
+        const surface b(sides.last().body, sides.last().patchi);
+        const auto place = pairs.emplace
+        (
+            std::make_pair(std::min(a, b), std::max(a, b)), contact.name()
+        );
+        if (!place.second)
+        {
+            FatalFileErrorInFunction(file)
+                << "Keyword 'interfaces': '" << place.first->second << "' and '"
+                << contact.name() << "' have the same 'sides', whose contact "
+                << "would count twice" << exit(FatalIOError);
         }
     }
 }

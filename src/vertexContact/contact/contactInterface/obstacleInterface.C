@@ -19,7 +19,10 @@ Foam::obstacleInterface::readSurface
     const Time& time
 )
 {
-    const dictionary& shape = dict.subDict("obstacle");
+    const dictionary& shape = dictionaryCheck::subDict
+    (
+        dict, "obstacle", "type sphere; centre (0 0 0); radius 1;"
+    );
     const word type(shape.get<word>("type"));
 
     vertexContactLookupConstructor(searchableSurface, dict, type)
@@ -32,15 +35,23 @@ Foam::obstacleInterface::readSurface
             searchableSurface::dictConstructorTablePtr_->sortedToc()
         );
     }
-    return constructorPtr
+    autoPtr<searchableSurface> surface;
+    dictionaryCheck::told
     (
-        IOobject
-        (
-            shape.getOrDefault<word>("file", name), time.constant(),
-            "triSurface", time, IOobject::MUST_READ, IOobject::NO_WRITE
-        ),
-        shape
+        shape, "Keyword 'type' is " + type, [&]()
+        {
+            surface = constructorPtr
+            (
+                IOobject
+                (
+                    shape.getOrDefault<word>("file", name), time.constant(),
+                    "triSurface", time, IOobject::MUST_READ, IOobject::NO_WRITE
+                ),
+                shape
+            );
+        }
     );
+    return surface;
 }
 
 

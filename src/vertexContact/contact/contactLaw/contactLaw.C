@@ -31,13 +31,7 @@ Foam::autoPtr<Foam::contactLaw> Foam::contactLaw::New(const dictionary& dict)
 
 const Foam::dictionary& Foam::contactLaw::dictIn(const dictionary& dict)
 {
-    if (!dict.isDict("law"))
-    {
-        FatalIOErrorInFunction(dict)
-            << "Keyword 'law' is not a dictionary. Example: "
-            << "law { type frictionless; }" << exit(FatalIOError);
-    }
-    return dict.subDict("law");
+    return dictionaryCheck::subDict(dict, "law", "type frictionless;");
 }
 
 

@@ -70,8 +70,17 @@ Foam::List<Foam::fieldComponent> Foam::fieldComponent::read
     const bool whole
 )
 {
+    const wordList all(dict.get<wordList>(keyword));
+    if (all.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Keyword '" << keyword << "' is (): it needs at least one field. "
+            << "Those of region '" << body.name() << "': "
+            << dictionaryCheck::listed(bodyFields(body).names()).c_str()
+            << exit(FatalIOError);
+    }
     DynamicList<fieldComponent> list;
-    for (const word& given : dict.get<wordList>(keyword))
+    for (const word& given : all)
     {
         const auto dot = given.find('.');
         const word name(given.substr(0, dot), false);

@@ -190,12 +190,23 @@ Foam::List<Foam::nodeSelection> Foam::nodeSelection::read
         names.append(body.name());
         if (every || regions.match(body.name())) chosen.append(&body);
     }
-    if (chosen.empty())
+    if (!every && regions.empty())
     {
-        dictionaryCheck::unknownModel
-        (
-            dict, "region", word(regions[0], false), names
-        );
+        FatalIOErrorInFunction(dict)
+            << "Keyword 'region' is (): it needs at least one name. Regions: "
+            << dictionaryCheck::listed(names).c_str() << exit(FatalIOError);
+    }
+    for (const wordRe& region : regions)
+    {
+        bool some = false;
+        for (const word& name : names) some = some || region.match(name);
+        if (!some)
+        {
+            dictionaryCheck::unknownModel
+            (
+                dict, "region", word(region, false), names
+            );
+        }
     }
 
     word kind;

@@ -101,6 +101,12 @@ Foam::functionObjects::pointProbes::pointProbes
 
     // The fields
     const wordList valid(fieldNames());
+    if (fields_.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Keyword 'fields' is (): it needs at least one field. Valid: "
+            << dictionaryCheck::listed(valid).c_str() << exit(FatalIOError);
+    }
     for (const word& field : fields_)
     {
         if (!valid.found(field))
@@ -117,6 +123,12 @@ Foam::functionObjects::pointProbes::pointProbes
         return medianDual::before(a, b) ? a : b;
     };
     const pointField points(dict.get<pointField>("points"));
+    if (points.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Keyword 'points' is (): it needs at least one point, as ((0 0 0))"
+            << exit(FatalIOError);
+    }
     const medianDual& dual = body_->dual();
     nodes_.setSize(points.size(), -1);
     forAll(points, i)

@@ -68,7 +68,7 @@ Foam::scalar Foam::functionObjects::solidFunctionObject::passed() const
 
 void Foam::functionObjects::solidFunctionObject::writeFirstRow()
 {
-    writeRow();
+    if (!waits_) writeRow();
     written_ = passed();
     writtenStep_ = runTime_.timeIndex();
 }
@@ -152,7 +152,8 @@ Foam::functionObjects::solidFunctionObject::solidFunctionObject
     functionObject(name),
     runTime_(runTime),
     solids_(findSolids(runTime, dict)),
-    controlled_(timeControl::entriesPresent(dict, "write"))
+    controlled_(timeControl::entriesPresent(dict, "write")),
+    waits_(dict.getOrDefault<scalar>("timeStart", -GREAT) > runTime.value())
 {}
 
 

@@ -42,7 +42,7 @@ void Foam::HenckyVonMises::readHeating(const dictionary& dict)
         return;
     }
 
-    const dictionary& heating = dict.subDict("adiabaticHeating");
+    const dictionary& heating = subDict(dict, "adiabaticHeating", "cp 385;");
     const keywordList described(heatingKeywords());
     onlyKeywords(heating, described);
     const scalar beta = readOptional(heating, described, "beta", dimless);
@@ -330,7 +330,13 @@ Foam::HenckyVonMises::HenckyVonMises
     else if (dict.found("JohnsonCook"))
     {
         curve_ = curve::JohnsonCook;
-        JohnsonCook_ = hardening::JohnsonCook(dict.subDict("JohnsonCook"));
+        JohnsonCook_ = hardening::JohnsonCook
+        (
+            dictionaryCheck::subDict
+            (
+                dict, "JohnsonCook", "A 9e7; B 2.9e8; n 0.31; C 0.025;"
+            )
+        );
     }
     else
     {

@@ -27,7 +27,7 @@ Foam::hardening::table::table(const dictionary& dict)
 {
     const autoPtr<Function1<scalar>> curve
     (
-        Function1<scalar>::New("hardeningCurve", dict)
+        dictionaryCheck::readFunction<scalar>("hardeningCurve", dict)
     );
 
     const auto* points =
