@@ -74,8 +74,8 @@ Foam::List<Foam::fieldComponent> Foam::fieldComponent::read
     if (all.empty())
     {
         FatalIOErrorInFunction(dict)
-            << "Keyword '" << keyword << "' is (): it needs at least one field. "
-            << "Those of region '" << body.name() << "': "
+            << "Keyword '" << keyword << "' is (): it needs at least one "
+            << "field. Those of region '" << body.name() << "': "
             << dictionaryCheck::listed(bodyFields(body).names()).c_str()
             << exit(FatalIOError);
     }

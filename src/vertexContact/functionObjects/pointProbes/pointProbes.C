@@ -126,7 +126,8 @@ Foam::functionObjects::pointProbes::pointProbes
     if (points.empty())
     {
         FatalIOErrorInFunction(dict)
-            << "Keyword 'points' is (): it needs at least one point, as ((0 0 0))"
+            << "Keyword 'points' is (): it needs at least one point, as "
+            << "((0 0 0))"
             << exit(FatalIOError);
     }
     const medianDual& dual = body_->dual();
