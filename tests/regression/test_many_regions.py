@@ -249,3 +249,21 @@ def test_ranks_in_wrong_numbers(tmp_path):
     done = place(collision(tmp_path/"case"), 3,
                  more={"hierarchicalCoeffs": {"n": "(2 1 1)"}})
     assert done.returncode and "Keyword 'n' is (2 1 1)" in done.stdout
+
+
+@pytest.mark.parametrize("number, stiff, told", (
+    (3, 20, " b0 {} s b1 {} s b2 {} s\nWith steps of their own (subCycling "
+     "yes), b0 1 b1 4 b2 1 in {} s"),
+    (9, 20, " from b1 {} s to b{} {} s\nWith steps of their own (subCycling "
+     "yes), from b{} 1 to b1 5 in {} s"),
+    (9, 1, " from b{} {} s to b{} {} s\n\n")), ids=("few", "many", "alike"))
+def test_steps_that_the_log_names(tmp_path, number, stiff, told):
+    """Each region by its name, or of many regions the least and the largest.
+    Nothing is said of sub-cycling that would save nothing."""
+    bodies = [Body(cells=(2, 2), name=f"b{i}", start=(2*i, 0, 0),
+                   material={**RUBBER, "E": stiff if i == 1 else 1})
+              for i in range(number)]
+    _, log = SmallCase(tmp_path, bodies, 0.2, preset=DEFAULT).attempt()
+    told = re.escape(told).replace(r"\{\}", r"\S+")
+    assert re.search(f"Stable steps at Co 1, at the end:{told}", log), \
+        log[-2000:]

@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "solidSystem.H"
+#include "bodyValues.H"
 #include "passTimes.H"
 #include "writtenTimes.H"
 #include "IOdictionary.H"
@@ -190,10 +191,7 @@ void Foam::solidSystem::reportCost(OSstream& os) const
     {
         const scalarField stable(choice_.ofBodies());
         os  << "Stable steps at Co 1, at the end:";
-        forAll(bodies_, i)
-        {
-            os  << ' ' << bodies_[i].name() << ' ' << stable[i] << " s";
-        }
+        writeBodyValues(os, bodies_, stable, " s");
         os  << nl;
         subCycling_.report(stable, os);
         os  << nl;

@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "subCycling.H"
+#include "bodyValues.H"
 #include "bodiesOfKind.H"
 #include "passTimes.H"
 #include "rankRows.H"
@@ -386,10 +387,7 @@ void Foam::subCycling::report
     if (active() && steps_.steps.size())
     {
         os  << "Steps of their own (subCycling), now:";
-        forAll(bodies_, i)
-        {
-            os  << ' ' << bodies_[i].name() << ' ' << steps_.steps[i];
-        }
+        writeBodyValues(os, bodies_, steps_.steps, "");
         os  << " in " << last_.whole << " s; so far " << cost_.own
             << " evaluations of nodes, " << cost_.own/max(cost_.one, VSMALL)
             << " of the " << cost_.one << " that one step for all needs"
@@ -398,12 +396,11 @@ void Foam::subCycling::report
     }
     const scalar common = ratios_.commonStep(stable, bounds_.longest);
     const stepRatios::ratios r(ratios_.of(common, stable));
-    os  << "With steps of their own (subCycling yes), ";
-    forAll(bodies_, i)
-    {
-        os  << bodies_[i].name() << ' ' << r.steps[i] << ' ';
-    }
-    os  << "in " << common << " s times maxCo, nodes would be evaluated "
+    if (max(r.steps) == 1) return;
+
+    os  << "With steps of their own (subCycling yes),";
+    writeBodyValues(os, bodies_, r.steps, "");
+    os  << " in " << common << " s times maxCo, nodes would be evaluated "
         << ratios_.cost(common, stable) << " times as often" << nl
         << "    A region has one step, even if only a few of its cells are "
         << "small or stiff. To give them a step of their own, make them a "
