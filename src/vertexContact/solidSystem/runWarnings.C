@@ -101,7 +101,7 @@ void Foam::runWarnings::reportGain() const
     // energy that contact stores and returns as a rise. Take the smaller one
     const scalar rise = min(rise_[0], rise_[1]);
     const scalar least = gains*largest_ + roundOff_;
-    if (!warnedOfGain_ && rise > least && rise >= given_)
+    if (!warnedOfGain_ && rise > least)
     {
         WarningInFunction
             << "The energy has risen by " << 100*rise/largest_
@@ -112,7 +112,7 @@ void Foam::runWarnings::reportGain() const
             << "rises."
             << endl;
     }
-    else if (given_ > least)
+    if (given_ > least)
     {
         WarningInFunction
             << "Contact has given the bodies " << 100*given_/largest_
