@@ -224,12 +224,14 @@ def test_whole_regions_on_ranks(tmp_path, figures):
                      / np.abs(D).max(), 1e-12)
 
 
-@pytest.mark.parametrize("ranks, method, message", (
-    (2, "metis", "Keyword 'method' is metis"),
-    (4, "manual", "Keyword 'numberOfSubdomains' is 4"),
+@pytest.mark.parametrize("ranks, method, more, message", (
+    (2, "metis", {}, "Keyword 'method' is metis"),
+    (4, "manual", {}, "Keyword 'numberOfSubdomains' is 4"),
+    (2, "manual", {"manualCoeffs": 5},
+     "Keyword 'manualCoeffs' is not a dictionary"),
 ))
-def test_place_regions_refuses(tmp_path, ranks, method, message):
-    done = place(collision(tmp_path/"case"), ranks, method)
+def test_place_regions_refuses(tmp_path, ranks, method, more, message):
+    done = place(collision(tmp_path/"case"), ranks, method, more)
     assert done.returncode and message in done.stdout
 
 

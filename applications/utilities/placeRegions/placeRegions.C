@@ -152,7 +152,10 @@ int main(int argc, char *argv[])
     }
     const fileName file
     (
-        control.subDict("manualCoeffs").get<fileName>("dataFile")
+        dictionaryCheck::subDict
+        (
+            control, "manualCoeffs", "dataFile \"ranks\";"
+        ).get<fileName>("dataFile")
     );
     const label nRanks = control.get<label>("numberOfSubdomains");
 
