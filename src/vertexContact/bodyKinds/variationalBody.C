@@ -141,7 +141,17 @@ Foam::scalar Foam::variationalBody::swing() const
 
 Foam::scalar Foam::variationalBody::strainEnergy() const
 {
-    return deformableBody::strainEnergy() + scheme_->jumpEnergy();
+    const scalar strained = deformableBody::strainEnergy();
+    const conservedState& s = data_.state;
+    if (s.hourglassShare.empty()) return strained + scheme_->jumpEnergy();
+
+    // The shares have changed since, where the material has flowed
+    scalar jumps = 0;
+    forAll(s.hourglassShare, a)
+    {
+        jumps += ownedVolume_[a]*s.hourglassShare[a]*s.flow.jumpEnergy[a];
+    }
+    return strained + jumps;
 }
 
 

@@ -96,6 +96,11 @@ class variationalKernelTemplate<D, finite>::correctionSums
 
         lanes closing_{}, opening_{};
 
+        //- Twice the energy of the position jumps: in 2D in lanes, in 3D by
+        //  the components of the jumps
+        lanes laneEnergy_{};
+        row<4> energy_{};
+
 
     // Private Member Functions
 
@@ -232,13 +237,15 @@ public:
         rowAt<8>(sensor_ + node_*sS) = other_;
     }
 
-    //- The largest rates of all edges so far
-    void rates(scalar& closing, scalar& fastest) const
+    //- The largest rates of all edges so far, and the energy of their jumps
+    void tell(scalar& closing, scalar& fastest, scalar& jumpEnergy) const
     {
+        jumpEnergy += 0.5*(energy_[0] + energy_[1] + energy_[2]);
         for (int l = 0; l < nLanes; ++l)
         {
             closing = max(closing, closing_[l]);
             fastest = max(fastest, max(closing_[l], opening_[l]));
+            jumpEnergy += 0.5*laneEnergy_[l];
         }
     }
 
@@ -339,8 +346,10 @@ public:
             const lanes jump =
                 of[atU + i]
               - 0.5*(sum[i]*laneAt(r, 0) + sum[sA + i]*laneAt(r, 1));
+            const lanes force = k*jump;
             square += jump*jump;
-            out[D + i] = -0.5*(k*jump);
+            laneEnergy_ += force*jump;
+            out[D + i] = -0.5*force;
             if constexpr (corrects)
             {
                 out[i] =
@@ -451,6 +460,7 @@ public:
             const row<4> jump =
                 threeOf(lower(differences[l]) - 0.5*lower(sum));
             force[l] = k[l]*jump;
+            energy_ += force[l]*jump;
             if (share_) square[l] = dotOfThree(jump, jump);
             if constexpr (corrects)
             {
@@ -512,7 +522,7 @@ label variationalKernelTemplate<D, finite>::correctLoop
     edgePass& pass
 )
 {
-    if (pass.edge == 0) x.closing = x.fastest = 0;
+    if (pass.edge == 0) x.closing = x.fastest = x.jumpEnergy = 0;
     correctionSums<corrects> sums(d, x);
     const label firstLate = pass.late;
     label nBad = 0;
@@ -527,7 +537,7 @@ label variationalKernelTemplate<D, finite>::correctLoop
         // Before the sums over processors, which include the rates
         takeForce(d, x, x.lateNodes[late]);
     }
-    sums.rates(x.closing, x.fastest);
+    sums.tell(x.closing, x.fastest, x.jumpEnergy);
     return nBad;
 }
 

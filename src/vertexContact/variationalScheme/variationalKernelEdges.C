@@ -160,51 +160,6 @@ label variationalKernelTemplate<D, finite>::gradients
 
 
 template<int D, bool finite>
-scalar variationalKernelTemplate<D, finite>::jumpEnergy
-(
-    const vertexData& d,
-    const variationalData& x
-) const
-{
-    if constexpr (D == 1)
-    {
-        return 0;
-    }
-    const label* edge = d.dual.edgeNodes().cdata();
-    const scalar* U = x.U.cdata();
-    const scalar* grad = x.grad.cdata();
-    const scalarField& share = d.state.hourglassShare;
-    scalar energy = 0;
-    for (index e = 0; e < d.dual.nEdges(); ++e)
-    {
-        const index a = edge[2*e], b = edge[2*e + 1];
-        const scalar* r = variationalLayout::ofEdge<D>(x.reach, e);
-        const scalar* C = variationalLayout::ofEdge<D>(x.area, e);
-        scalar square = 0, CC = 0, rr = 0;
-        for (int i = 0; i < D; ++i)
-        {
-            CC += sqr(C[i*nLanes]);
-            rr += sqr(r[i*nLanes]);
-            scalar jump = U[b*sU + atU + i] - U[a*sU + atU + i];
-            for (int j = 0; j < D; ++j)
-            {
-                jump -=
-                    0.5*r[j*nLanes]
-                   *(grad[(a*D + j)*sA + i] + grad[(b*D + j)*sA + i]);
-            }
-            square += jump*jump;
-        }
-        const scalar modulus =
-            share.empty()
-          ? x.jumpModulus
-          : 0.5*(share[a] + share[b])*x.jumpModulus;
-        energy += 0.5*edgeStiffness(modulus, CC, rr)*square;
-    }
-    return energy;
-}
-
-
-template<int D, bool finite>
 void variationalKernelTemplate<D, finite>::forces
 (
     vertexData& d,

@@ -178,12 +178,11 @@ void Foam::obstacleInterface::followEdges()
 
 Foam::point Foam::obstacleInterface::placeOf(const label corner) const
 {
-    const medianDual& dual = side_.body->dual();
-    const point middle(dual.mesh().bounds().midpoint());
+    const solidBody& body = *side_.body;
+    const label node = side_.geometry().cornerNode[corner];
     return motion_.pose().invTransformPoint
     (
-        contactSurface::place(side_, corner).x
-      + middle - dual.projected(middle)
+        body.dual().projected(body.position(node)) + middle_
     );
 }
 
@@ -313,6 +312,11 @@ Foam::obstacleInterface::obstacleInterface
 :
     contactInterface(name, dict),
     side_(side),
+    middle_
+    (
+        side_.body->mesh().bounds().midpoint()
+      - side_.body->dual().projected(side_.body->mesh().bounds().midpoint())
+    ),
     width_(side_.body->corners(side_.patchi).size(), Zero),
     surface_(readSurface(name, dict, side_.body->mesh().time())),
     motion_(dict, side_.body->mesh()),
