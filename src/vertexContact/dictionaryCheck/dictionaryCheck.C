@@ -286,7 +286,7 @@ const Foam::dictionary& Foam::dictionaryCheck::subDict
 }
 
 
-void Foam::dictionaryCheck::told
+void Foam::dictionaryCheck::withPlace
 (
     const dictionary& dict,
     const string& what,

@@ -140,20 +140,20 @@ void Foam::motionFunction::readOther(const Time& time)
             "system", "constant", false, false
         )
     );
-    told
+    withPlace
     (
         "", [&]() { function_ = solidBodyMotionFunction::New(dict_, *clock_); }
     );
 }
 
 
-void Foam::motionFunction::told
+void Foam::motionFunction::withPlace
 (
     const string& where,
     const std::function<void()>& f
 ) const
 {
-    dictionaryCheck::told
+    dictionaryCheck::withPlace
     (
         dict_, "Keyword '" + nameKey + "' is " + type_ + where, f
     );
@@ -224,7 +224,7 @@ void Foam::motionFunction::checkPose(const scalar time)
 
     OStringStream os;
     os  << ", which gives no position at time " << time << " s";
-    told(os.str(), [&]() { poseAt(time); });
+    withPlace(os.str(), [&]() { poseAt(time); });
 }
 
 

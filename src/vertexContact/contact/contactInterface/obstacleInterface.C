@@ -36,7 +36,7 @@ Foam::obstacleInterface::readSurface
         );
     }
     autoPtr<searchableSurface> surface;
-    dictionaryCheck::told
+    dictionaryCheck::withPlace
     (
         shape, "Keyword 'type' is " + type, [&]()
         {
