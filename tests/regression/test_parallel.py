@@ -113,6 +113,25 @@ def test_rank_without_a_cell_of_a_region(tmp_path, figures, dimensions):
                      1e-10)
 
 
+def test_largest_frequency_with_a_mirror(tmp_path, figures):
+    """A body with fewer unknowns than the search for its largest frequency has
+    steps. Round-off normal to the mirror grew in it, so that the step depended
+    on the place of the body, and on the number of ranks."""
+    def frequency(place):
+        body = Body((2, 3), start=(0, place, 0),
+                    size=(0.820093533357078, 0.7236854848560936, 1),
+                    material=dict(RUBBER, rho=2, E=4, nu=0.4),
+                    sides={"right": "symmetryPlane"})
+        _, log = SmallCase(tmp_path/str(place), body, 0.01,
+                           preset=DEFAULT).attempt()
+        return float(log.split("largest frequency ")[1].split()[0])
+
+    found = [frequency(0.07069232149716853*i) for i in range(20)]
+    with figures("a body with a mirror, moved along it") as f:
+        f.atMost("largest / least frequency - 1", max(found)/min(found) - 1,
+                 1e-9)
+
+
 BOXES = """SetFactory("OpenCASCADE");
 Box(1) = {0, 0, 0, 1, 1, 1};
 Box(2) = {1.02, 0.2, 0.1, 1, 1, 1};
