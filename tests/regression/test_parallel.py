@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 
 from vertexContactTests.caseTools import DEFAULT, Case, Scene
-from vertexContactTests.collisions import SCENES as COLLISIONS, collision
-from vertexContactTests.smallCases import (RUBBER, GmshBody, SmallCase,
+from vertexContactTests.collisions import (COPPER, SCENES as COLLISIONS,
+                                           collision)
+from vertexContactTests.smallCases import (RUBBER, Body, GmshBody, SmallCase,
                                            coulomb, largest)
 
 LINE = Scene("similar", elements=128, preset=DEFAULT,
@@ -82,6 +83,53 @@ def test_collision(tmp_path, figures, name, method):
                          if file.name == "contactSlide" else a)
                 f.atMost(f"{body.name} {file.name}: difference / largest",
                          largest(a - b)/max(largest(scale), 1e-12), 1e-10)
+
+
+@pytest.mark.parametrize("dimensions", (2, 3))
+def test_rank_without_a_cell_of_a_region(tmp_path, figures, dimensions):
+    """All ranks write the same fields, also where they have no node of the
+    body. Otherwise reconstructPar stops. A rank used to leave out the
+    hourglassShare of metal, which has no entries there."""
+    def metals(name):
+        bodies = [Body((3,)*dimensions, name=body, start=(x, 0, 0),
+                       material=COPPER, velocity=lambda X: 0.2*X*(1, 0, 0))
+                  for body, x in (("one", 0), ("other", 2))]
+        return SmallCase(tmp_path/name, bodies, 1, preset=DEFAULT)
+
+    serial, parallel = metals("serial").run(), metals("parallel")
+    for rank, body in enumerate(parallel.bodies):
+        n = 3**dimensions
+        (parallel/f"constant/{body.name}/cellDecomposition").write_text(
+            "FoamFile { version 2.0; format ascii; class labelList; "
+            f"object cellDecomposition; }}\n{n} {{{rank}}}\n")
+    parallel.runParallel(2, "manual")
+    with figures(f"{dimensions}D, each body on one of two ranks") as f:
+        for body in serial.bodies:
+            a, b = (case.at("hourglassShare", region=body.name)
+                    for case in (serial, parallel))
+            f.atMost(f"{body.name}: smallest share of stiffness that is left",
+                     a.min(), 0.5)
+            f.atMost(f"{body.name}: difference to serial", largest(a - b),
+                     1e-10)
+
+
+def test_largest_frequency_with_a_mirror(tmp_path, figures):
+    """A body with fewer unknowns than the search for its largest frequency has
+    steps. Round-off normal to the mirror grew in it, so that the step depended
+    on the place of the body, and on the number of ranks."""
+    def frequency(place):
+        body = Body((2, 3), start=(0, place, 0),
+                    size=(0.820093533357078, 0.7236854848560936, 1),
+                    material=dict(RUBBER, rho=2, E=4, nu=0.4),
+                    sides={"right": "symmetryPlane"})
+        _, log = SmallCase(tmp_path/str(place), body, 0.01,
+                           preset=DEFAULT).attempt()
+        return float(log.split("largest frequency ")[1].split()[0])
+
+    found = [frequency(0.07069232149716853*i) for i in range(20)]
+    with figures("a body with a mirror, moved along it") as f:
+        f.atMost("largest / least frequency - 1", max(found)/min(found) - 1,
+                 1e-9)
 
 
 BOXES = """SetFactory("OpenCASCADE");

@@ -269,6 +269,47 @@ def pairings(folder, ranks, low, high, **control):
     return timesPaired(case, ranks)
 
 
+class OtherNumbers(Body):
+    """A block whose points, cells and faces are numbered from its opposite
+    corner."""
+
+    def mesh(self):
+        kind, _, *rest = super().mesh()["blocks"]
+        return {**super().mesh(),
+                "blocks": (kind, (2, 3, 0, 1, 6, 7, 4, 5), *rest)}
+
+
+def test_numbers_of_nodes_do_not_count(tmp_path, figures):
+    """With which of its nodes a quadrilateral begins makes no difference, also
+    when it is no parallelogram any more. The middle of a face used to be a
+    point of its first diagonal."""
+    def meeting(name, first, second):
+        one = first((4, 3, 2), name="one", sides={"right": "contact"},
+                    velocity=lambda X: np.stack(
+                        (0.1 + 0.1*X[:, 1]*X[:, 2], 0.05*X[:, 2],
+                         0.1*X[:, 0]), axis=1))
+        other = second((3, 2, 4), name="other", start=(1.01, 0.1, -0.2),
+                       sides={"left": "contact"}, velocity=(-0.1, 0, 0.03))
+        return SmallCase(
+            tmp_path/name, (one, other), 1.5, preset=DEFAULT, interfaces={
+                "contact": interface(("one", "right"), ("other", "left"),
+                                     pairing="nearestFace")}).run()
+
+    def sorted_(case, region):
+        X = case.X(region)
+        rows = np.lexsort(np.round(1e6*X).astype(int).T)
+        return case.at("pointU", region=region)[rows]
+
+    usual = meeting("usual", Body, Body)
+    with figures("blocks with other numbers") as f:
+        for name, kinds in (("first", (OtherNumbers, Body)),
+                            ("second", (Body, OtherNumbers))):
+            case = meeting(name, *kinds)
+            f.atMost(f"{name}: difference of velocities / largest", max(
+                largest(sorted_(case, region) - sorted_(usual, region))
+                for region in ("one", "other"))/0.1, 1e-10)
+
+
 @pytest.mark.parametrize("ranks", (1, 2))
 def test_paired_again_by_what_slides(tmp_path, figures, ranks):
     """A surface that moves along its normal stays opposite the same faces.

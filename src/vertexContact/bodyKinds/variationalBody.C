@@ -21,11 +21,12 @@ Foam::kinematicSet Foam::variationalBody::kinematicsOf
     const materialModel& material
 )
 {
+    // The ratio comes from the moduli, with round-off of either sign
     return
         options.volume == volumeTreatment::smoothed
      || (
             options.volume == volumeTreatment::automatic
-         && PoissonsRatio(material) >= smoothedFrom
+         && PoissonsRatio(material) > smoothedFrom - ROOTSMALL
         )
       ? kinematicSet::FJ
       : kinematicSet::F;

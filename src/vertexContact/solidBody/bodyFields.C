@@ -163,7 +163,8 @@ void Foam::bodyFields::visitFields(const Use& use) const
             scalar(0), "epsilonPEq", dimless,
             [&](const label a) { return s.epsilonPEq[a]; }
         );
-        if (s.hourglassShare.size())
+        // Not its size, which is 0 where a processor has no node of the body
+        if (s.keepsFlow && d > 1)
         {
             use
             (

@@ -156,15 +156,20 @@ contactFace makeFace
 
         const vector d02(f.X[2] - f.X[0]), d13(f.X[3] - f.X[1]);
         const vector n(d02 ^ d13);
-        f.crossing = min
-        (
-            max
+        const auto place = [&](const vector& along)
+        {
+            return min
             (
-                (((f.X[1] - f.X[0]) ^ d13) & n)/max(magSqr(n), VSMALL),
-                scalar(contactFace::leastCrossing)
-            ),
-            scalar(1 - contactFace::leastCrossing)
-        );
+                max
+                (
+                    (((f.X[1] - f.X[0]) ^ along) & n)/max(magSqr(n), VSMALL),
+                    scalar(contactFace::leastCrossing)
+                ),
+                scalar(1 - contactFace::leastCrossing)
+            );
+        };
+        f.crossings[0] = place(d13);
+        f.crossings[1] = place(d02);
     }
     f.N = mean/mag(mean);
     f.width = f.size > 1 ? bodySurface::meanEdge(f.X, f.size) : f.depth[0];
