@@ -283,11 +283,15 @@ void Foam::solidBody::readState()
             << edge << ". Make a separate patch of each side of the edge"
             << exit(FatalIOError);
     }
+    const auto given = s.lm;
     const scalar removed = returnReduce
     (
         symmetry_.project(s.lm.data(), d), maxOp<scalar>()
     );
-    if (removed > largestRemoved*data_.rho*data_.cp)
+    const bool roundOff = removed <= largestRemoved*data_.rho*data_.cp;
+    // A run continues with its own round-off, to the last bit
+    if (lm.valid() && roundOff) s.lm = given;
+    if (!roundOff)
     {
         WarningInFunction
             << "Region " << name_ << ": an initial velocity of up to "
