@@ -178,6 +178,11 @@ CASES = {
     "no fields of extremes": (
         history("solidExtremes", "fields ();"),
         ("controlDict", "'fields' is ()", "sigmaEq")),
+    "field of probes twice": (
+        history("pointProbes",
+                "region bar1; fields (pointU pointD pointU); "
+                "points ((0 0 0));"),
+        ("controlDict", "fields", "'pointU' twice")),
     "no fields of probes": (
         history("pointProbes", "region bar1; fields (); points ((0 0 0));"),
         ("controlDict", "'fields' is ()", "sigmaEq")),

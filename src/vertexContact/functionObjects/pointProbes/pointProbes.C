@@ -107,11 +107,18 @@ Foam::functionObjects::pointProbes::pointProbes
             << "Keyword 'fields' is (): it needs at least one field. Valid: "
             << dictionaryCheck::listed(valid).c_str() << exit(FatalIOError);
     }
-    for (const word& field : fields_)
+    forAll(fields_, f)
     {
-        if (!valid.found(field))
+        if (!valid.found(fields_[f]))
         {
-            dictionaryCheck::unknownModel(dict, "fields", field, valid);
+            dictionaryCheck::unknownModel(dict, "fields", fields_[f], valid);
+        }
+        // Each field has a file of its own
+        if (fields_.find(fields_[f]) != f)
+        {
+            FatalIOErrorInFunction(dict)
+                << "Keyword 'fields' has '" << fields_[f] << "' twice"
+                << exit(FatalIOError);
         }
     }
 
