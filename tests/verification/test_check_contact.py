@@ -207,6 +207,8 @@ def test_bodies_apart(tmp_path, figures):
         f.equal("exit code", run.code, 0)
         f.equal("overlaps", run["Overlaps"][0], 0.0)
         f.equal("lines in the VTK file", run.vtk().n_cells, 0)
+        f.equal("quotes in the line of the interface", re.search(
+            "(?m)^Interface contact: .*", run.log)[0].count('"'), 0)
         f.equal("exit code with -minCoverage", asked.code, 1)
         f.equal("failed checks", len(asked.failed), 2)
 

@@ -318,8 +318,8 @@ void Foam::bodyInterface::report(Ostream& os) const
 {
     os  << "Interface " << name() << ": " << minus_.body->name() << ' '
         << minus_.patchName << " - " << plus_.body->name() << ' '
-        << plus_.patchName << ", pairing " << pairing_->type() << transfer()
-        << ", law " << law_->type() << nl;
+        << plus_.patchName << ", pairing " << pairing_->type()
+        << transfer().c_str() << ", law " << law_->type() << nl;
 }
 
 
