@@ -238,7 +238,7 @@ public:
     }
 
     //- The largest rates of all edges so far, and the energy of their jumps
-    void tell(scalar& closing, scalar& fastest, scalar& jumpEnergy) const
+    void totals(scalar& closing, scalar& fastest, scalar& jumpEnergy) const
     {
         jumpEnergy += 0.5*(energy_[0] + energy_[1] + energy_[2]);
         for (int l = 0; l < nLanes; ++l)
@@ -537,7 +537,7 @@ label variationalKernelTemplate<D, finite>::correctLoop
         // Before the sums over processors, which include the rates
         takeForce(d, x, x.lateNodes[late]);
     }
-    sums.tell(x.closing, x.fastest, x.jumpEnergy);
+    sums.totals(x.closing, x.fastest, x.jumpEnergy);
     return nBad;
 }
 

@@ -98,9 +98,9 @@ contactFace faceOf
     if (f.size == 4)
     {
         const vector d02(x[2] - x[0]), d13(x[3] - x[1]), both(d02 ^ d13);
-        const vector d01((x[1] - x[0])/magSqr(both));
-        f.crossings[0] = (d01 ^ d13) & both;
-        f.crossings[1] = (d01 ^ d02) & both;
+        const vector d01(x[1] - x[0]);
+        f.crossings[0] = ((d01 ^ d13) & both)/magSqr(both);
+        f.crossings[1] = ((d01 ^ d02) & both)/magSqr(both);
     }
     f.width = 1;
     return f;
