@@ -178,6 +178,11 @@ CASES = {
     "no fields of extremes": (
         history("solidExtremes", "fields ();"),
         ("controlDict", "'fields' is ()", "sigmaEq")),
+    **{f"broken expression of {what}": (
+        history("solidAverages", f"fields (sigmaEq); region {region};"),
+        ("controlDict", "'region'", "regular expression", "bar["))
+       for what, region in (("a region", '"bar["'),
+                            ("regions", '(bar1 "bar[")'))},
     "field of probes twice": (
         history("pointProbes",
                 "region bar1; fields (pointU pointD pointU); "
@@ -571,6 +576,9 @@ CASES = {
         replace(velocity, r"boundaryField\s*\{", "boundaryField { lefft "
                 "{ type fixedVelocity; velocity (0 0 0); }"),
         ("pointU", "boundaryField", "'lefft'", "bar1", "'left'")),
+    "broken expression of a side": (
+        replace(contact, r"\(bar1 right\)", '("bar[" right)'),
+        ("contactProperties", "'sides'", "regular expression", "bar[")),
     "surfaces that are a word": (
         replace(contact, r"interfaces\s*\{", "interfaces { many { surfaces "
                 "al; }"),

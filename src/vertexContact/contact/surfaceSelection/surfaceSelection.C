@@ -28,10 +28,16 @@ surfaceSelection::expression readOne
     if (i < tokens.size() && (tokens[i].isWord() || tokens[i].isString()))
     {
         e.leaf = true;
-        e.name =
-            tokens[i].isWord()
-          ? wordRe(tokens[i].wordToken())
-          : wordRe(tokens[i].stringToken(), wordRe::DETECT);
+        dictionaryCheck::withPlace
+        (
+            dict, "Keyword '" + keyword + "'", [&]()
+            {
+                e.name =
+                    tokens[i].isWord()
+                  ? wordRe(tokens[i].wordToken())
+                  : wordRe(tokens[i].stringToken(), wordRe::DETECT);
+            }
+        );
         ++i;
         return e;
     }

@@ -26,13 +26,26 @@ wordRes readNames(const dictionary& dict, const word& keyword)
 {
     ITstream& is = dict.lookup(keyword);
     const token first(is);
-    if (first.isWord() || first.isString())
-    {
-        is.putBack(first);
-        return wordRes(List<wordRe>(1, wordRe(is)));
-    }
     is.putBack(first);
-    return wordRes(List<wordRe>(is));
+
+    // From an error without a place OpenFOAM makes a warning, and the run goes
+    // on without the function object
+    List<wordRe> names;
+    dictionaryCheck::withPlace
+    (
+        dict, "Keyword '" + keyword + "'", [&]()
+        {
+            if (first.isWord() || first.isString())
+            {
+                names = List<wordRe>(1, wordRe(is));
+            }
+            else
+            {
+                is >> names;
+            }
+        }
+    );
+    return wordRes(names);
 }
 
 } // End anonymous namespace
