@@ -367,6 +367,9 @@ CASES = {
     "Hardening beside a curve": (
         plastic("hardeningCurve table ((0 1) (1 2)); Hardening 1;"),
         ("mechanicalProperties", "Hardening", "tauY")),
+    "last strain of a table": (
+        plastic("hardeningCurve table ((0 1) (1 2)); maxStrain -1;"),
+        ("mechanicalProperties", "maxStrain", "-1", "positive")),
     "falling hardening curve": (
         plastic("hardeningCurve table ((0 2) (1 1.5));"),
         ("mechanicalProperties", "hardeningCurve", "1.5")),
@@ -533,6 +536,9 @@ CASES = {
     "less mass": (
         control("massScaling { bar1 { factor 0.5; } }"),
         ("controlDict", "bar1", "factor", "0.5", "at least 1")),
+    "force that is a word": (
+        control("massScaling { bar1 { factor 2; limit 1; force maybe; } }"),
+        ("controlDict", "bar1", "force", "maybe")),
     "more mass than is allowed": (
         control("massScaling { bar1 { factor 2; } }"),
         ("controlDict", "bar1", "kg", "% of the mass", "limit", "force yes")),

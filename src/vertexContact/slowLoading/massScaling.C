@@ -94,11 +94,9 @@ Foam::massScaling::massScaling
         (
             limit >= 0, dict, "limit", limit, "at least 0"
         );
-        if
-        (
-            a.ofAll > limit
-         && !dictionaryCheck::readOptional<bool>(dict, keywords(), "force")
-        )
+        const bool force =
+            dictionaryCheck::readOptional<bool>(dict, keywords(), "force");
+        if (a.ofAll > limit && !force)
         {
             FatalIOErrorInFunction(dict)
                 << "Keyword 'massScaling': region '" << body.name()

@@ -29,6 +29,15 @@ Foam::hardening::table::table(const dictionary& dict)
     (
         dictionaryCheck::readFunction<scalar>("hardeningCurve", dict)
     );
+    const scalar last =
+        dictionaryCheck::readOptional
+        (
+            dict, HenckyVonMises::keywords(), "maxStrain", dimless
+        );
+    dictionaryCheck::require
+    (
+        last > 0, dict, "maxStrain", last, "positive"
+    );
 
     const auto* points =
         dynamic_cast<const Function1Types::TableBase<scalar>*>(curve.get());
@@ -39,15 +48,6 @@ Foam::hardening::table::table(const dictionary& dict)
     }
     else
     {
-        const scalar last =
-            dictionaryCheck::readOptional
-            (
-                dict, HenckyVonMises::keywords(), "maxStrain", dimless
-            );
-        dictionaryCheck::require
-        (
-            last > 0, dict, "maxStrain", last, "positive"
-        );
         const label n = nParts;
         strains.setSize(n + 1);
         stresses.setSize(n + 1);
