@@ -178,6 +178,10 @@ CASES = {
     "no fields of extremes": (
         history("solidExtremes", "fields ();"),
         ("controlDict", "'fields' is ()", "sigmaEq")),
+    **{f"field of {name} twice": (
+        history(name, "fields (sigmaEq pointD.x sigmaEq);"),
+        ("controlDict", "fields", "'sigmaEq' twice"))
+       for name in ("solidExtremes", "solidAverages")},
     **{f"broken expression of {what}": (
         history("solidAverages", f"fields (sigmaEq); region {region};"),
         ("controlDict", "'region'", "regular expression", "bar["))

@@ -80,8 +80,16 @@ Foam::List<Foam::fieldComponent> Foam::fieldComponent::read
             << exit(FatalIOError);
     }
     DynamicList<fieldComponent> list;
-    for (const word& given : all)
+    forAll(all, i)
     {
+        // Columns have the names of the fields
+        const word& given = all[i];
+        if (all.find(given) != i)
+        {
+            FatalIOErrorInFunction(dict)
+                << "Keyword '" << keyword << "' has '" << given << "' twice"
+                << exit(FatalIOError);
+        }
         const auto dot = given.find('.');
         const word name(given.substr(0, dot), false);
         const nodalField values(body.field(name));
