@@ -586,6 +586,9 @@ CASES = {
         replace(velocity, r"boundaryField\s*\{", "boundaryField { lefft "
                 "{ type fixedVelocity; velocity (0 0 0); }"),
         ("pointU", "boundaryField", "'lefft'", "bar1", "'left'")),
+    "interfaces that are a number": (
+        edit(contact, {"interfaces": 5}),
+        ("contactProperties", "'interfaces'", "not a dictionary")),
     "broken expression of a side": (
         replace(contact, r"\(bar1 right\)", '("bar[" right)'),
         ("contactProperties", "'sides'", "regular expression", "bar[")),

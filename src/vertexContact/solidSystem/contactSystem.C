@@ -19,7 +19,10 @@ const Foam::dictionary& Foam::contactSystem::dictionaries() const
 {
     const dictionary& dict = properties_();
     dictionaryCheck::onlyKeywords(dict, wordList({"interfaces"}));
-    const dictionary& list = dict.subDict("interfaces");
+    const dictionary& list = dictionaryCheck::subDict
+    (
+        dict, "interfaces", "all { surfaces all; }"
+    );
     for (const entry& e : list)
     {
         if (!e.isDict())
