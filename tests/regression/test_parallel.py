@@ -85,6 +85,41 @@ def test_collision(tmp_path, figures, name, method):
                          largest(a - b)/max(largest(scale), 1e-12), 1e-10)
 
 
+LONG = {
+    "2D": Body((64, 3), size=(16, 1, 1)),
+    "a mirror along it": Body((48, 3, 3), size=(16, 1, 1),
+                              sides={"bottom": "symmetryPlane"}),
+    "metal, correction 0": Body((48, 3, 3), size=(16, 1, 1), material=COPPER,
+                                scheme={"correction": 0}),
+    "nearly incompressible": Body((48, 3, 3), size=(16, 1, 1),
+                                  material=dict(RUBBER, nu=0.49)),
+}
+
+
+@pytest.mark.parametrize("name", LONG)
+def test_edges_that_are_done_early(tmp_path, figures, name):
+    """Passes follow each other where a rank has many nodes that it does not
+    share. What is exchanged is done before (earlyEdges). The other bodies of
+    this file are too small for that."""
+    # No velocity normal to a mirror
+    body = replace(LONG[name], velocity=lambda X: 0.3*np.sin(X[:, :1])
+                   * (1, 0, 1)[:3] * (X[:, 1:2] + 1))
+    serial, parallel = (
+        SmallCase(tmp_path/case, body, 1, preset=DEFAULT)
+        for case in ("serial", "parallel"))
+    serial.run()
+    parallel.runParallel(2)
+    last = serial.last
+    assert parallel.last == last
+    with figures(f"{name}, 2 ranks") as f:
+        for file in sorted((serial.path/last/body.name).iterdir()):
+            if file.is_file():
+                a, b = (case.at(file.name, region=body.name)
+                        for case in (serial, parallel))
+                f.atMost(f"{file.name}: difference / largest",
+                         largest(a - b)/max(largest(a), 1e-12), 1e-10)
+
+
 @pytest.mark.parametrize("dimensions", (2, 3))
 def test_rank_without_a_cell_of_a_region(tmp_path, figures, dimensions):
     """All ranks write the same fields, also where they have no node of the

@@ -210,6 +210,51 @@ Foam::labelList Foam::nodeGraph::bandCompression() const
 }
 
 
+Foam::labelList Foam::nodeGraph::gather
+(
+    const labelUList& nodes,
+    const label distance
+) const
+{
+    const label n = nNodes();
+    labelList away(n, distance);
+    for (const label a : nodes) away[a] = 0;
+    for (label d = 1; d < distance; ++d)
+    {
+        for (label a = 0; a < n; ++a)
+        {
+            for (label i = start_[a]; i < start_[a + 1]; ++i)
+            {
+                const label b = upper_[i];
+                if (away[a] == d - 1) away[b] = min(away[b], d);
+                else if (away[b] == d - 1) away[a] = min(away[a], d);
+            }
+        }
+    }
+
+    // Outwards and inwards in turn: nodes next to each other are at much the
+    // same distance, also at the end of a window
+    labelList order(identity(n));
+    const label window = label(span(order)) + 1;
+    label sign = 1;
+    for (label first = 0; first < n; first += window, sign = -sign)
+    {
+        std::stable_sort
+        (
+            order.begin() + first,
+            order.begin() + min(first + window, n),
+            [&](const label a, const label b)
+            {
+                return sign*away[a] < sign*away[b];
+            }
+        );
+    }
+    labelList newNode(n);
+    forAll(order, i) newNode[order[i]] = i;
+    return newNode;
+}
+
+
 void Foam::nodeGraph::renumber(const labelUList& newNode)
 {
     const label n = nNodes();

@@ -84,26 +84,17 @@ void Foam::nodeSharing::combine
     // Not initialised, since everything is written before it is read
     std::unique_ptr<scalar[]> sent(new scalar[nValues]);
     std::unique_ptr<scalar[]> received(new scalar[nValues]);
-    std::unique_ptr<scalar[]> own
-    (
-        new scalar[std::size_t(sharedNodes_.size())*width]
-    );
 
+    // Calls f(values, stride) for the values of a node in each array
+    const auto overArrays = [&](const label i, const auto& f)
     {
-        scalar* value = own.get();
-
-        for (const label node : sharedNodes_)
+        const std::size_t node = sharedNodes_[i];
+        for (label k = 0; k < nArrays; ++k)
         {
-            for (label i = 0; i < nArrays; ++i)
-            {
-                const label stride = arrays[i].second;
-                const scalar* data =
-                    arrays[i].first + std::size_t(node)*stride;
-
-                for (label k = 0; k < stride; ++k) *value++ = data[k];
-            }
+            const label stride = arrays[k].second;
+            f(arrays[k].first + node*stride, stride);
         }
-    }
+    };
 
     const label startOfRequests = UPstream::nRequests();
 
@@ -134,8 +125,10 @@ void Foam::nodeSharing::combine
         scalar* message = sent.get() + offset;
         for (const label i : shared)
         {
-            const scalar* value = own.get() + std::size_t(i)*width;
-            for (label k = 0; k < width; ++k) *message++ = value[k];
+            overArrays(i, [&](const scalar* values, const label stride)
+            {
+                message = std::copy(values, values + stride, message);
+            });
         }
 
         const std::size_t n = std::size_t(shared.size())*width;
@@ -155,47 +148,58 @@ void Foam::nodeSharing::combine
 
     UPstream::waitRequests(startOfRequests);
 
-    // All ranks add in ascending order of ranks
-    const std::size_t nOwn = std::size_t(sharedNodes_.size())*width;
-    std::unique_ptr<scalar[]> total(new scalar[nOwn]);
-    std::fill(total.get(), total.get() + nOwn, CombineOp::neutral);
+    // Two values are the same in either order. Where there are more, all ranks
+    // add in ascending order of ranks
+    const std::size_t nTotals = std::size_t(nMany_)*width;
+    std::unique_ptr<scalar[]> total(new scalar[nTotals]);
+    std::fill(total.get(), total.get() + nTotals, CombineOp::neutral);
 
     const scalar* message = received.get();
 
     for (label place = 0; place <= neighbours_.size(); ++place)
     {
-        if (place == myPlace_)
+        if (place == myPlace_ && nMany_)
         {
-            for (std::size_t i = 0; i < nOwn; ++i)
+            forAll(sharedNodes_, i)
             {
-                cop(total[i], own[i]);
+                if (manyPlace_[i] < 0) continue;
+                scalar* sum = total.get() + std::size_t(manyPlace_[i])*width;
+                overArrays(i, [&](const scalar* values, const label stride)
+                {
+                    for (label k = 0; k < stride; ++k) cop(*sum++, values[k]);
+                });
             }
         }
 
-        if (place < neighbours_.size())
+        if (place == neighbours_.size()) break;
+        for (const label i : sharedWith_[place])
         {
-            for (const label i : sharedWith_[place])
+            if (manyPlace_[i] < 0)
             {
-                scalar* value = total.get() + std::size_t(i)*width;
-                for (label k = 0; k < width; ++k)
+                overArrays(i, [&](scalar* values, const label stride)
                 {
-                    cop(value[k], *message++);
-                }
+                    for (label k = 0; k < stride; ++k)
+                    {
+                        cop(values[k], *message++);
+                    }
+                });
+                continue;
             }
+            scalar* sum = total.get() + std::size_t(manyPlace_[i])*width;
+            for (label k = 0; k < width; ++k) cop(sum[k], *message++);
         }
     }
 
-    const scalar* value = total.get();
-
-    for (const label node : sharedNodes_)
+    if (!nMany_) return;
+    forAll(sharedNodes_, i)
     {
-        for (label i = 0; i < nArrays; ++i)
+        if (manyPlace_[i] < 0) continue;
+        const scalar* sum = total.get() + std::size_t(manyPlace_[i])*width;
+        overArrays(i, [&](scalar* values, const label stride)
         {
-            const label stride = arrays[i].second;
-            scalar* data = arrays[i].first + std::size_t(node)*stride;
-
-            for (label k = 0; k < stride; ++k) data[k] = *value++;
-        }
+            std::copy(sum, sum + stride, values);
+            sum += stride;
+        });
     }
 }
 
@@ -317,6 +321,7 @@ Foam::nodeSharing::nodeSharing
     }
 
     sharedNodes_.setSize(nShared);
+    manyPlace_.setSize(nShared);
     labelList fill(nNeighbours, Zero);
     nShared = 0;
 
@@ -333,6 +338,8 @@ Foam::nodeSharing::nodeSharing
                 }
             }
 
+            manyPlace_[nShared] =
+                nodeRanks[node].size() > 2 ? nMany_++ : label(-1);
             sharedNodes_[nShared++] = node;
         }
     }
@@ -359,7 +366,8 @@ Foam::nodeSharing::nodeSharing
 std::size_t Foam::nodeSharing::bytes() const
 {
     std::size_t nLabels =
-        neighbours_.size() + sharedNodes_.size() + globalNode_.size();
+        neighbours_.size() + sharedNodes_.size() + manyPlace_.size()
+      + globalNode_.size();
 
     for (const labelList& shared : sharedWith_) nLabels += shared.size();
 

@@ -212,13 +212,12 @@ public:
         if constexpr (D == 1) zeroAt<sR>(rates_ + a*sR);
     }
 
-    //- Prepare a node that edges reach for the first time
+    //- Prefetch a node that edges will reach
     __attribute__((always_inline))
-    inline void ahead(const index a) const
+    inline void fetch(const index a) const
     {
         prefetch<sU>(U_ + a*sU);
         prefetch<sA*D>(grad_ + a*D*sA);
-        begin(a);
     }
 
     //- The node whose sums are in registers
@@ -522,20 +521,29 @@ label variationalKernelTemplate<D, finite>::correctLoop
     edgePass& pass
 )
 {
-    if (pass.edge == 0) x.closing = x.fastest = x.jumpEnergy = 0;
+    if (x.early.any() ? pass.early : pass.edge == 0)
+    {
+        x.closing = x.fastest = x.jumpEnergy = 0;
+    }
     correctionSums<corrects> sums(d, x);
     const label firstLate = pass.late;
     label nBad = 0;
-    overBlocks(d, x, pass, sums, [&](const index a)
+    overBlocks(d, x, earlyEdges::corrections, pass, sums, [&](const index a)
     {
         if constexpr (D > 1) takeForce(d, x, a);
         nBad += !moveNode(d, x, a);
         takeJumps(x, a);
     });
-    for (label late = firstLate; D > 1 && late < pass.late; ++late)
+    // Forces of late nodes before the sums over processors, which include the
+    // rates
+    const label nLate = pass.early ? x.lateNodes.size() : pass.late;
+    for (label late = firstLate; D > 1 && late < nLate; ++late)
     {
-        // Before the sums over processors, which include the rates
-        takeForce(d, x, x.lateNodes[late]);
+        const label a = x.lateNodes[late];
+        if (x.early.completes(earlyEdges::corrections, a) == pass.early)
+        {
+            takeForce(d, x, a);
+        }
     }
     sums.totals(x.closing, x.fastest, x.jumpEnergy);
     return nBad;

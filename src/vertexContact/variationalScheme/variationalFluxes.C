@@ -181,9 +181,9 @@ public:
             stretched_ ? -factors_[a] : -1;
     }
 
-    //- Prepare a node that edges reach for the first time
+    //- Prefetch a node that edges will reach
     __attribute__((always_inline))
-    inline void ahead(const index a) const
+    inline void fetch(const index a) const
     {
         prefetch<nP>(P_ + a*sW_);
         if constexpr (finite || D == 2) prefetch<sU>(U_ + a*sU);
@@ -191,7 +191,6 @@ public:
         prefetch<4>(sensor_ + a*sS + atSquares);
         prefetch<sR>(rates_ + a*sR);
         prefetch<sA*D>(adjoint_ + a*D*sA);
-        begin(a);
     }
 
     //- The node whose sums are in registers
@@ -452,7 +451,7 @@ void variationalKernelTemplate<D, finite>::fluxLoop
 )
 {
     fluxSums<corrects> sums(d, x);
-    overBlocks(d, x, pass, sums, [&](const index a)
+    overBlocks(d, x, earlyEdges::fluxes, pass, sums, [&](const index a)
     {
         stressNode(x, d, a);
     });

@@ -44,6 +44,7 @@ Foam::variationalData::variationalData
     area(inBlocks(d, d.nDim())),
     reach(inBlocks(d, d.nDim())),
     motion(inBlocks(d, variationalLayout::motionOf(d.nDim()))),
+    motionPlaces(toMeet.size()),
     U(d.nNodes()*variationalLayout::strideU(d.nDim())),
     grad(d.nNodes()*d.nDim()*variationalLayout::strideColumn(d.nDim())),
     inverse(d.finiteStrain && d.nDim() == 2 ? 4*d.nNodes() : 0, Zero),
@@ -60,6 +61,7 @@ Foam::variationalData::variationalData
     geometricBound(d.nNodes()*d.nDim()*(d.nDim() + 1)/2, Zero)
 {
     const label nDim = d.nDim();
+    forAll(motionPlaces, block) motionPlaces[block] = nLanes*block;
     for (label e = 0; e < d.dual.nEdges(); ++e)
     {
         const label lane = e % nLanes;
@@ -105,12 +107,20 @@ void Foam::variationalData::setLate(const labelList& nodes, const label nDim)
 
 void Foam::variationalData::keepMotion(const label nEdges, const label nDim)
 {
-    // A power of two, so that places are found without a division
-    label n = nLanes;
-    while (n < nEdges) n *= 2;
-    if (n*variationalLayout::motionOf(nDim) >= motion.size()) return;
-    motion.reset(n*variationalLayout::motionOf(nDim));
-    motionPlaces = n - 1;
+    const label nBlocks = (nEdges + nLanes - 1)/nLanes;
+    const label nEarly = early.blocks(earlyEdges::corrections).size();
+    const label size =
+        (nBlocks + nEarly)*nLanes*variationalLayout::motionOf(nDim);
+    if (size >= motion.size()) return;
+    motion.reset(size);
+    label nFound = 0;
+    forAll(motionPlaces, block)
+    {
+        const bool isEarly =
+            nEarly && early.hasEdge(earlyEdges::corrections, block*nLanes);
+        motionPlaces[block] =
+            nLanes*(isEarly ? nBlocks + nFound++ : block % nBlocks);
+    }
 }
 
 
@@ -197,7 +207,9 @@ void Foam::variationalData::joinPairs(const medianDual& dual)
 std::size_t Foam::variationalData::bytes() const
 {
     return
-        sizeof(label)*std::size_t(pairNodes.size() + toMeet.size())
+        early.bytes()
+      + sizeof(label)
+       *std::size_t(pairNodes.size() + toMeet.size() + motionPlaces.size())
       + sizeof(scalar)
        *std::size_t
         (

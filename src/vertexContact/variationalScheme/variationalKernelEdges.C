@@ -22,18 +22,122 @@ namespace Foam
 {
 
 template<int D, bool finite>
-label variationalKernelTemplate<D, finite>::gradients
+label variationalKernelTemplate<D, finite>::earlyGradients
+(
+    variationalData& x,
+    const vertexData& d
+)
+{
+    constexpr label p = earlyEdges::gradients;
+    const earlyEdges& early = x.early;
+    const label* edge = d.dual.edgeNodes().cdata();
+    scalar* grad = x.grad.data();
+
+    // The sums of the first node, in registers until another node is first. In
+    // 2D both columns are one row, and twice the sum, as in gradientLoop()
+    constexpr int w = D == 2 ? 8 : sA;
+    constexpr int nC = D == 2 ? 1 : D;
+    const scalar half = D == 2 ? 1 : 0.5;
+    const auto U = [&](const index a)
+    {
+        if constexpr (D == 2) return twiceAt(x.U.cdata() + a*sU + atU);
+        else return rowAt<sA>(x.U.cdata() + a*sU);
+    };
+    const auto sumAt = [&](const index a, const int j) -> auto&
+    {
+        return rowAt<w>(grad + a*D*sA + j*w);
+    };
+    index node = -1;
+    row<w> Ua{}, sums[nC] = {};
+    const auto keep = [&]()
+    {
+        for (int j = 0; node >= 0 && j < nC; ++j) sumAt(node, j) = sums[j];
+    };
+    const auto add = [&]
+    (
+        const index a, const index b, const scalar* C, const int stride,
+        const scalar toA, const scalar toB
+    )
+    {
+        if (a != node)
+        {
+            keep();
+            node = a;
+            Ua = U(a);
+            for (int j = 0; j < nC; ++j) sums[j] = sumAt(a, j);
+        }
+        const row<w> change = U(b) - Ua;
+        for (int j = 0; j < nC; ++j)
+        {
+            row<w> by;
+            if constexpr (D == 2) by = change*halves(C[0], C[stride]);
+            else by = change*C[j*stride];
+            sums[j] += toA*by;
+            sumAt(b, j) += toB*by;
+        }
+    };
+
+    for (const index a : early.reached(p)) zeroAt<sA*D>(grad + a*D*sA);
+    for (const index pair : early.pairs())
+    {
+        const label* ends = x.pairNodes.cdata() + 2*pair;
+        const scalar* B = x.pairArea.cdata() + D*pair;
+        add(ends[0], ends[1], B, 1, 2*half, -2*half);
+    }
+    edgePass pass;
+    pass.early = true;
+    edgeBlocks block(d.dual, x.toMeet, pass, &early, p);
+    for (; block.valid(); ++block)
+    {
+        block.soon([&](const index b)
+        {
+            prefetch<sU>(x.U.cdata() + b*sU);
+            prefetch<sA*D>(grad + b*D*sA);
+        });
+        const index first = block.first();
+        for (index e = first; e < first + block.size(); ++e)
+        {
+            const scalar* C = variationalLayout::ofEdge<D>(x.area, e);
+            add(edge[2*e], edge[2*e + 1], C, nLanes, half, half);
+        }
+    }
+    keep();
+
+    const auto divide = [&](const index a)
+    {
+        const scalar factor = D == 2 ? 0.5*x.perV[a] : x.perV[a];
+        for (int j = 0; j < nC; ++j) sumAt(a, j) *= factor;
+    };
+    label nBad = 0;
+    for (const index a : x.lateNodes)
+    {
+        if (early.completes(p, a)) divide(a);
+    }
+    for (const index a : early.nodes(p))
+    {
+        divide(a);
+        nBad += !deformNode(x, a);
+    }
+    return nBad;
+}
+
+
+template<int D, bool finite>
+template<bool leavesOut>
+label variationalKernelTemplate<D, finite>::gradientLoop
 (
     variationalData& x,
     const vertexData& d,
     edgePass& pass
-) const
+)
 {
     const label* edge = d.dual.edgeNodes().cdata();
     const scalar* U = x.U.cdata();
     const label nEdges = d.dual.nEdges();
     const label nPairs = x.pairNodes.size()/2;
     scalar* grad = x.grad.data();
+    constexpr label p = earlyEdges::gradients;
+    const earlyEdges& early = x.early;
 
     // Edges and pairs are sorted by their first node: a node is complete after
     // the last edge and pair that start there
@@ -46,6 +150,7 @@ label variationalKernelTemplate<D, finite>::gradients
     {
         complete.before(end, [&](const index a)
         {
+            if (leavesOut && early.completes(p, a)) return;
             nBad += !deformNode(x, a);
         });
     };
@@ -54,6 +159,7 @@ label variationalKernelTemplate<D, finite>::gradients
         for (; met < end; ++met)
         {
             prefetch<sU>(U + met*sU);
+            if (leavesOut && early.reaches(p, met)) continue;
             zeroAt<sA*D>(grad + met*D*sA);
         }
     };
@@ -62,6 +168,14 @@ label variationalKernelTemplate<D, finite>::gradients
         pass.edge = e;
         pass.pair = pair;
         pass.met = met;
+    };
+    // All edges and pairs of a node that is complete early are done
+    const auto passBy = [&](const index a)
+    {
+        if (!leavesOut || !early.completes(p, a)) return false;
+        while (pair < nPairs && x.pairNodes[2*pair] == a) ++pair;
+        while (e < nEdges && edge[2*e] == a) ++e;
+        return true;
     };
     if constexpr (D == 2)
     {
@@ -75,10 +189,14 @@ label variationalKernelTemplate<D, finite>::gradients
         for (index a = start; a < end; ++a)
         {
             meet(e < nEdges ? x.toMeet[e/nLanes] : d.nNodes());
+            const bool late = nextLate < nLate && x.lateNodes[nextLate] == a;
+            nextLate += late;
+            if (passBy(a)) continue;
             const row<8> Ua = twice(a);
             row<8> sum = rowAt<8>(grad + a*8);
             for (; pair < nPairs && x.pairNodes[2*pair] == a; ++pair)
             {
+                if (leavesOut && early.hasPair(pair)) continue;
                 const index b = x.pairNodes[2*pair + 1];
                 const scalar* B = x.pairArea.cdata() + D*pair;
                 meet(b + 1);
@@ -88,6 +206,7 @@ label variationalKernelTemplate<D, finite>::gradients
             }
             for (; e < nEdges && edge[2*e] == a; ++e)
             {
+                if (leavesOut && early.hasEdge(p, e)) continue;
                 const index b = edge[2*e + 1];
                 meet(b + 1);
                 const scalar* C = variationalLayout::ofEdge<D>(x.area, e);
@@ -96,9 +215,8 @@ label variationalKernelTemplate<D, finite>::gradients
                 rowAt<8>(grad + b*8) += change;
             }
             sum *= 0.5*x.perV[a];
-            if (nextLate < nLate && x.lateNodes[nextLate] == a)
+            if (late)
             {
-                ++nextLate;
                 rowAt<8>(grad + a*8) = sum;
             }
             else if constexpr (finite)
@@ -118,10 +236,12 @@ label variationalKernelTemplate<D, finite>::gradients
     for (index a = start; a < end; ++a)
     {
         meet(e < nEdges ? x.toMeet[e/nLanes] : d.nNodes());
+        if (passBy(a)) continue;
         scalar* ga = grad + a*D*sA;
         const row<sA> Ua = rowAt<sA>(U + a*sU);
         for (; pair < nPairs && x.pairNodes[2*pair] == a; ++pair)
         {
+            if (leavesOut && early.hasPair(pair)) continue;
             const index b = x.pairNodes[2*pair + 1];
             const scalar* B = x.pairArea.cdata() + D*pair;
             meet(b + 1);
@@ -137,6 +257,7 @@ label variationalKernelTemplate<D, finite>::gradients
         for (int j = 0; j < D; ++j) sumA[j] = rowAt<sA>(ga + j*sA);
         for (; e < nEdges && edge[2*e] == a; ++e)
         {
+            if (leavesOut && early.hasEdge(p, e)) continue;
             const index b = edge[2*e + 1];
             meet(b + 1);
             scalar* gb = grad + b*D*sA;
@@ -156,6 +277,22 @@ label variationalKernelTemplate<D, finite>::gradients
     completeBefore(end);
     leave();
     return nBad;
+}
+
+
+template<int D, bool finite>
+label variationalKernelTemplate<D, finite>::gradients
+(
+    variationalData& x,
+    const vertexData& d,
+    edgePass& pass
+) const
+{
+    if (pass.early) return earlyGradients(x, d);
+    return
+        x.early.any()
+      ? gradientLoop<true>(x, d, pass)
+      : gradientLoop<false>(x, d, pass);
 }
 
 

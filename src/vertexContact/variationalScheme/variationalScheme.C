@@ -186,8 +186,8 @@ void Foam::variationalScheme::findFilter()
 void Foam::variationalScheme::start()
 {
     for (edgePass& pass : passes_) pass = edgePass(-1);
-    for (label& n : nLate_) n = 0;
     stressed_ = 0;
+    nextRun_ = earlyRuns_.size();
     nBad_ = passTimes::timed(passTimes::velocities, [&]
     {
         return collected_ ? nBadCollected_ : kernel_.collect(data_, x_);
@@ -196,21 +196,22 @@ void Foam::variationalScheme::start()
 }
 
 
-Foam::label Foam::variationalScheme::completeOf(const label p) const
+void Foam::variationalScheme::goOn(const label p, const label end)
 {
-    const label complete = passes_[p].complete;
-    return
-        nLate_[p] < x_.lateNodes.size()
-      ? min(complete, x_.lateNodes[nLate_[p]])
-      : complete;
+    edgePass& pass = passes_[p];
+    const label firstLate = pass.late;
+    pass.end = end;
+    if (p == fluxes) findStress(passes_[corrections].complete);
+    run(p, pass);
+
+    // Nodes that wait only for mirrors are complete with the last edge, too
+    if (p < forces) completeLate(p, firstLate, pass.late, false);
 }
 
 
-void Foam::variationalScheme::goOn(const label p, const label end)
+void Foam::variationalScheme::run(const label p, edgePass& pass)
 {
     typedef passTimes times;
-    edgePass& pass = passes_[p];
-    pass.end = end;
     switch (p)
     {
         case gradients:
@@ -231,7 +232,6 @@ void Foam::variationalScheme::goOn(const label p, const label end)
         }
         case fluxes:
         {
-            findStress(completeOf(corrections));
             times::timed(times::fluxes, [&]
             {
                 kernel_.fluxes(data_, x_, pass);
@@ -246,9 +246,6 @@ void Foam::variationalScheme::goOn(const label p, const label end)
             });
         }
     }
-
-    // Nodes that wait only for mirrors are complete with the last edge, too
-    if (p < forces && !dual_.sharing().active()) completeLate(p, pass.late);
 }
 
 
@@ -287,7 +284,7 @@ void Foam::variationalScheme::sweep(const label last)
     follow
     (
         passes_, last,
-        [&](const label p) { return completeOf(p); },
+        [&](const label p) { return passes_[p].complete; },
         [&](const label p, const label end) { goOn(p, end); }
     );
 }
@@ -295,7 +292,35 @@ void Foam::variationalScheme::sweep(const label last)
 
 void Foam::variationalScheme::findStress(const label end)
 {
-    if (stressed_ >= end) return;
+    while (stressed_ < end)
+    {
+        const bool more = nextRun_ < earlyRuns_.size();
+        if (more && earlyRuns_[nextRun_].first() == stressed_)
+        {
+            stressed_ = earlyRuns_[nextRun_++].second();
+            continue;
+        }
+        const label stop =
+            more ? min(end, earlyRuns_[nextRun_].first()) : end;
+        findStress(stressed_, stop);
+        stressed_ = stop;
+    }
+}
+
+
+void Foam::variationalScheme::findEarlyStress()
+{
+    for (const labelPair& run : earlyRuns_)
+    {
+        findStress(run.first(), run.second());
+    }
+    nextRun_ = 0;
+    if (!x_.early.any()) findStress(dual_.nNodes());
+}
+
+
+void Foam::variationalScheme::findStress(const label first, const label end)
+{
     passTimes::timed(passTimes::stress, [&]
     {
         material_.stressOf
@@ -304,7 +329,7 @@ void Foam::variationalScheme::findStress(const label end)
             data_.W.data() + data_.offsetP(),
             data_.nSJ ? data_.W.data() + data_.offsetSJ() : nullptr,
             data_.strideW,
-            stressed_,
+            first,
             end
         );
     });
@@ -314,17 +339,15 @@ void Foam::variationalScheme::findStress(const label end)
         {
             material_.waveFactorsOf
             (
-                data_.state, data_.waveFactor, stressed_, end
+                data_.state, data_.waveFactor, first, end
             );
         });
     }
-    stressed_ = end;
 }
 
 
 Foam::label Foam::variationalScheme::mostBetween() const
 {
-    // The case in which no node waits for other ranks
     edgePass passes[nPasses] =
         {edgePass(-1), edgePass(-1), edgePass(-1), edgePass(-1)};
     label most = 0;
@@ -345,12 +368,38 @@ Foam::label Foam::variationalScheme::mostBetween() const
 }
 
 
-void Foam::variationalScheme::completeLate(const label p, const label end)
+void Foam::variationalScheme::completeLate
+(
+    const label p,
+    const label first,
+    const label end,
+    const bool early
+)
 {
-    const label first = nLate_[p];
-    if (first == end) return;
-    nLate_[p] = end;
+    for (label i = first; i < end;)
+    {
+        label next = i;
+        while
+        (
+            next < end
+         && x_.early.completes(p, x_.lateNodes[next]) == early
+        )
+        {
+            ++next;
+        }
+        if (next > i) completeLate(p, i, next);
+        i = next + 1;
+    }
+}
 
+
+void Foam::variationalScheme::completeLate
+(
+    const label p,
+    const label first,
+    const label end
+)
+{
     const label d = dual_.nDim();
     const label sA = variationalLayout::strideColumn(d);
     const auto complete = [&](alignedScalars& data, const label offset)
@@ -395,8 +444,20 @@ void Foam::variationalScheme::completeLate(const label p, const label end)
 }
 
 
-void Foam::variationalScheme::complete(const label p)
+void Foam::variationalScheme::doEarly(const label p)
 {
+    if (x_.early.any())
+    {
+        edgePass pass;
+        pass.early = true;
+        run(p, pass);
+    }
+    else
+    {
+        passes_[p].end = dual_.nEdges();
+        run(p, passes_[p]);
+    }
+
     const label d = dual_.nDim();
     const label sA = variationalLayout::strideColumn(d);
     const label sS = variationalLayout::strideSensor(d);
@@ -420,7 +481,15 @@ void Foam::variationalScheme::complete(const label p)
             sharing.sum(x_.sensor.data(), sS);
         }
     });
-    completeLate(p, x_.lateNodes.size());
+    completeLate(p, 0, x_.lateNodes.size(), x_.early.any());
+}
+
+
+void Foam::variationalScheme::startMotion()
+{
+    if (!dual_.sharing().active()) return;
+    doEarly(gradients);
+    doEarly(corrections);
 }
 
 
@@ -483,7 +552,30 @@ Foam::variationalScheme::variationalScheme
     labelHashSet late(dual_.sharing().sharedNodes());
     late.insert(symmetry_.nodes());
     x_.setLate(late.sortedToc(), dual_.nDim());
-    if (!x_.smoothed && !dual_.sharing().active())
+    const bool shares = dual_.sharing().active();
+    if (shares)
+    {
+        // If most edges are early, it is better to do all of them in order
+        const earlyEdges early
+        (
+            dual_, x_.pairNodes, dual_.sharing().sharedNodes(), x_.lateNodes
+        );
+        if (2*nLanes*early.blocks(gradients).size() < dual_.nEdges())
+        {
+            x_.early = early;
+        }
+        DynamicList<labelPair> runs;
+        for (const label a : x_.early.reached(earlyEdges::fluxes))
+        {
+            if (runs.empty() || runs.last().second() != a)
+            {
+                runs.append(labelPair(a, a));
+            }
+            ++runs.last().second();
+        }
+        earlyRuns_.transfer(runs);
+    }
+    if (!x_.smoothed && (x_.early.any() || !shares))
     {
         x_.keepMotion(mostBetween(), dual_.nDim());
     }
@@ -497,10 +589,8 @@ Foam::variationalScheme::variationalScheme
 Foam::label Foam::variationalScheme::deform()
 {
     start();
-    sweep(gradients);
-    complete(gradients);
+    startMotion();
     sweep(corrections);
-    complete(corrections);
     if (x_.smoothed) findJacobian();
     return nBad_;
 }
@@ -508,22 +598,23 @@ Foam::label Foam::variationalScheme::deform()
 
 Foam::label Foam::variationalScheme::computeForces(const bool wavesAnew)
 {
-    // Passes follow each other directly, except that the smoothed Jacobian has
-    // to wait for all nodes
-    const label last = x_.smoothed ? corrections : forces;
-
     start();
     wavesAnew_ = wavesAnew;
     if (wavesAnew) data_.waveFactor.setSize(dual_.nNodes());
-    sweep(last);
-    complete(gradients);
-    sweep(last);
-    complete(corrections);
-    if (x_.smoothed) findJacobian();
-    findStress(dual_.nNodes());
-    if (x_.smoothed) smoothPressure();
-    sweep(forces);
-    complete(fluxes);
+    startMotion();
+    if (x_.smoothed)
+    {
+        // All nodes wait for each other
+        sweep(corrections);
+        findJacobian();
+        findStress(dual_.nNodes());
+        smoothPressure();
+    }
+    else if (dual_.sharing().active())
+    {
+        findEarlyStress();
+    }
+    if (dual_.sharing().active()) doEarly(fluxes);
     sweep(forces);
     return nBad_;
 }
