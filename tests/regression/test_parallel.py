@@ -86,38 +86,64 @@ def test_collision(tmp_path, figures, name, method):
 
 
 LONG = {
-    "2D": Body((64, 3), size=(16, 1, 1)),
-    "a mirror along it": Body((48, 3, 3), size=(16, 1, 1),
+    "2D": Body((96, 3), size=(24, 1, 1)),
+    "a mirror along it": Body((72, 3, 3), size=(24, 1, 1),
                               sides={"bottom": "symmetryPlane"}),
-    "metal, correction 0": Body((48, 3, 3), size=(16, 1, 1), material=COPPER,
+    "metal, correction 0": Body((72, 3, 3), size=(24, 1, 1), material=COPPER,
                                 scheme={"correction": 0}),
-    "nearly incompressible": Body((48, 3, 3), size=(16, 1, 1),
+    "nearly incompressible": Body((72, 3, 3), size=(24, 1, 1),
                                   material=dict(RUBBER, nu=0.49)),
 }
 
 
-@pytest.mark.parametrize("name", LONG)
-def test_edges_that_are_done_early(tmp_path, figures, name):
-    """Passes follow each other where a rank has many nodes that it does not
-    share. What is exchanged is done before (earlyEdges). The other bodies of
-    this file are too small for that."""
+def compared(tmp_path, figures, title, body, decompose):
+    """Every field of a body on several ranks equals the field on one."""
     # No velocity normal to a mirror
-    body = replace(LONG[name], velocity=lambda X: 0.3*np.sin(X[:, :1])
-                   * (1, 0, 1)[:3] * (X[:, 1:2] + 1))
+    body = replace(body, velocity=lambda X: 0.3*np.sin(X[:, :1])
+                   * (1, 0, 1) * (X[:, 1:2] + 1))
     serial, parallel = (
         SmallCase(tmp_path/case, body, 1, preset=DEFAULT)
         for case in ("serial", "parallel"))
     serial.run()
-    parallel.runParallel(2)
+    decompose(parallel)
     last = serial.last
     assert parallel.last == last
-    with figures(f"{name}, 2 ranks") as f:
+    with figures(title) as f:
         for file in sorted((serial.path/last/body.name).iterdir()):
             if file.is_file():
                 a, b = (case.at(file.name, region=body.name)
                         for case in (serial, parallel))
                 f.atMost(f"{file.name}: difference / largest",
                          largest(a - b)/max(largest(a), 1e-12), 1e-10)
+
+
+def byHand(case, ranks):
+    """Decompose a body so, and run it."""
+    (case/f"constant/{case.bodies[0].name}/cellDecomposition").write_text(
+        "FoamFile { version 2.0; format ascii; class labelList; "
+        f"object cellDecomposition; }}\n{len(ranks)}\n("
+        f"{' '.join(map(str, ranks))})\n")
+    case.runParallel(max(ranks) + 1, "manual")
+
+
+@pytest.mark.parametrize("name", LONG)
+def test_edges_that_are_done_early(tmp_path, figures, name):
+    """Passes follow each other where a rank has many nodes that it does not
+    share. What is exchanged is done before (earlyEdges). Most bodies of this
+    file are too small for that."""
+    compared(tmp_path, figures, f"{name}, 2 ranks", LONG[name],
+             lambda case: case.runParallel(2))
+
+
+def test_early_edges_beside_thin_ranks(tmp_path, figures):
+    """One half of a bar on one rank, which does edges early. The other half on
+    two ranks, one cell thick each: all their edges are at shared nodes. Three
+    ranks meet. Small strains."""
+    body = Body((96, 2, 2), size=(24, 1, 1), material={
+        "type": "linearElastic", "rho": 1, "E": 1, "nu": 0.3})
+    x, y, _ = np.unravel_index(np.arange(96*2*2), (96, 2, 2), order="F")
+    compared(tmp_path, figures, "half a bar, and two quarters", body,
+             lambda case: byHand(case, np.where(x < 48, 0, 1 + y)))
 
 
 @pytest.mark.parametrize("dimensions", (2, 3))

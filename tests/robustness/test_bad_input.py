@@ -182,6 +182,9 @@ CASES = {
         history(name, "fields (sigmaEq pointD.x sigmaEq);"),
         ("controlDict", "fields", "'sigmaEq' twice"))
        for name in ("solidExtremes", "solidAverages")},
+    "a field, and one of its components": (
+        history("solidAverages", "fields (sigma sigma.xx);"),
+        ("controlDict", "fields", "'sigma.xx' twice")),
     **{f"broken expression of {what}": (
         history("solidAverages", f"fields (sigmaEq); region {region};"),
         ("controlDict", "'region'", "regular expression", "bar["))
@@ -586,6 +589,9 @@ CASES = {
         replace(velocity, r"boundaryField\s*\{", "boundaryField { lefft "
                 "{ type fixedVelocity; velocity (0 0 0); }"),
         ("pointU", "boundaryField", "'lefft'", "bar1", "'left'")),
+    "no interfaces": (
+        replace(contact, r"(?s)interfaces\s*\{.*", ""),
+        ("contactProperties", "'interfaces'", "missing")),
     "interfaces that are a number": (
         edit(contact, {"interfaces": 5}),
         ("contactProperties", "'interfaces'", "not a dictionary")),

@@ -279,8 +279,10 @@ const Foam::dictionary& Foam::dictionaryCheck::subDict
     if (!dict.isDict(keyword))
     {
         FatalIOErrorInFunction(dict)
-            << "Keyword '" << keyword << "' is not a dictionary. Example: "
-            << keyword << " { " << example << " }" << exit(FatalIOError);
+            << "Keyword '" << keyword << "' is "
+            << (dict.found(keyword) ? "not a dictionary" : "missing")
+            << ". Example: " << keyword << " { " << example << " }"
+            << exit(FatalIOError);
     }
     return dict.subDict(keyword);
 }

@@ -42,8 +42,8 @@ namespace Foam
     // streams better
     static const scalar worthRenumbering = 0.9;
 
-    // Distance from nodes that processors share, in edges, within which passes
-    // may do edges before all others (earlyEdges): three passes, each of which
+    // Distance from nodes that processors share, in edges, from which on passes
+    // do no edges before all others (earlyEdges): three passes, each of which
     // adds the nodes of an edge and of its block
     static const label earlyDistance = 6;
 
@@ -237,15 +237,18 @@ Foam::medianDual::medianDual(const polyMesh& mesh, const cellTreatment cells)
             decomposition.renumber(newNode);
             elements.renumber(newNode);
             nodes.renumber(newNode);
+            nodes.positions(mesh, nodePosition_);
         };
         const scalar own = graph.span(identity(nodes.size()));
         if (graph.span(newNode) < worthRenumbering*own) renumber(newNode);
         if (UPstream::parRun())
         {
-            const nodeSharing shared(mesh, nodes.pointNode, nodes.size());
-            renumber(graph.gather(shared.sharedNodes(), earlyDistance));
+            const nodeSharing sharing(mesh, nodes.pointNode, nodes.size());
+            if (sharing.active())
+            {
+                renumber(graph.gather(sharing.sharedNodes(), earlyDistance));
+            }
         }
-        nodes.positions(mesh, nodePosition_);
     }
 
     nodeVolume_.setSize(nodes.size(), Zero);

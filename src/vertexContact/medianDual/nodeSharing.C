@@ -148,8 +148,8 @@ void Foam::nodeSharing::combine
 
     UPstream::waitRequests(startOfRequests);
 
-    // Two values are the same in either order. Where there are more, all ranks
-    // add in ascending order of ranks
+    // Two values may be combined in either order. More are combined in
+    // ascending order of ranks on all of them
     const std::size_t nTotals = std::size_t(nMany_)*width;
     std::unique_ptr<scalar[]> total(new scalar[nTotals]);
     std::fill(total.get(), total.get() + nTotals, CombineOp::neutral);

@@ -16,9 +16,8 @@ Foam::earlyEdges::earlyEdges
     const labelList& lateNodes
 )
 :
-    blockMarks_((dual.nEdges() + nLanes - 1)/nLanes, mark(0)),
-    nodeMarks_(dual.nNodes(), mark(0)),
-    pairMarks_(pairNodes.size()/2, mark(0))
+    ofBlock_((dual.nEdges() + nLanes - 1)/nLanes, number(0)),
+    ofNode_(dual.nNodes(), number(0))
 {
     const labelList& edgeNodes = dual.edgeNodes();
     bitSet late(dual.nNodes());
@@ -28,12 +27,11 @@ Foam::earlyEdges::earlyEdges
     completed.set(sharedNodes);
     for (label p = nPasses - 1; p >= 0; --p)
     {
-        const mark bit = 1 << p;
-        for (const label a : completed) nodeMarks_[a] |= bit;
+        for (const label a : completed) ++ofNode_[a];
 
         bitSet reached(completed);
         DynamicList<label> blocks;
-        forAll(blockMarks_, block)
+        forAll(ofBlock_, block)
         {
             const label first = block*nLanes;
             const label end = min(first + nLanes, dual.nEdges());
@@ -44,7 +42,7 @@ Foam::earlyEdges::earlyEdges
             }
             if (!needed) continue;
             blocks.append(first);
-            blockMarks_[block] |= bit;
+            ++ofBlock_[block];
             for (label i = 2*first; i < 2*end; ++i) reached.set(edgeNodes[i]);
         }
         blocks_[p].transfer(blocks);
@@ -52,12 +50,11 @@ Foam::earlyEdges::earlyEdges
         if (p == gradients)
         {
             DynamicList<label> pairs;
-            forAll(pairMarks_, pair)
+            for (label pair = 0; 2*pair < pairNodes.size(); ++pair)
             {
                 const label a = pairNodes[2*pair], b = pairNodes[2*pair + 1];
                 if (!completed.test(a) && !completed.test(b)) continue;
                 pairs.append(pair);
-                pairMarks_[pair] = 1;
                 reached.set(a);
                 reached.set(b);
             }
@@ -68,7 +65,7 @@ Foam::earlyEdges::earlyEdges
         nodes_[p] = completed.sortedToc();
         completed = reached;
     }
-    for (const label a : completed) nodeMarks_[a] |= 1 << nPasses;
+    for (const label a : completed) ++ofNode_[a];
 }
 
 
@@ -83,7 +80,7 @@ std::size_t Foam::earlyEdges::bytes() const
     }
     return
         sizeof(label)*nLabels
-      + blockMarks_.size() + nodeMarks_.size() + pairMarks_.size();
+      + ofBlock_.size() + ofNode_.size();
 }
 
 

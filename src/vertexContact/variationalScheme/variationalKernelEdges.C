@@ -25,7 +25,8 @@ template<int D, bool finite>
 label variationalKernelTemplate<D, finite>::earlyGradients
 (
     variationalData& x,
-    const vertexData& d
+    const vertexData& d,
+    const edgePass& pass
 )
 {
     constexpr label p = earlyEdges::gradients;
@@ -51,7 +52,8 @@ label variationalKernelTemplate<D, finite>::earlyGradients
     row<w> Ua{}, sums[nC] = {};
     const auto keep = [&]()
     {
-        for (int j = 0; node >= 0 && j < nC; ++j) sumAt(node, j) = sums[j];
+        if (node < 0) return;
+        for (int j = 0; j < nC; ++j) sumAt(node, j) = sums[j];
     };
     const auto add = [&]
     (
@@ -84,8 +86,6 @@ label variationalKernelTemplate<D, finite>::earlyGradients
         const scalar* B = x.pairArea.cdata() + D*pair;
         add(ends[0], ends[1], B, 1, 2*half, -2*half);
     }
-    edgePass pass;
-    pass.early = true;
     edgeBlocks block(d.dual, x.toMeet, pass, &early, p);
     for (; block.valid(); ++block)
     {
@@ -169,8 +169,8 @@ label variationalKernelTemplate<D, finite>::gradientLoop
         pass.pair = pair;
         pass.met = met;
     };
-    // All edges and pairs of a node that is complete early are done
-    const auto passBy = [&](const index a)
+    // Leaves out a node that is complete early: its edges and pairs are done
+    const auto passedBy = [&](const index a)
     {
         if (!leavesOut || !early.completes(p, a)) return false;
         while (pair < nPairs && x.pairNodes[2*pair] == a) ++pair;
@@ -191,13 +191,13 @@ label variationalKernelTemplate<D, finite>::gradientLoop
             meet(e < nEdges ? x.toMeet[e/nLanes] : d.nNodes());
             const bool late = nextLate < nLate && x.lateNodes[nextLate] == a;
             nextLate += late;
-            if (passBy(a)) continue;
+            if (passedBy(a)) continue;
             const row<8> Ua = twice(a);
             row<8> sum = rowAt<8>(grad + a*8);
             for (; pair < nPairs && x.pairNodes[2*pair] == a; ++pair)
             {
-                if (leavesOut && early.hasPair(pair)) continue;
                 const index b = x.pairNodes[2*pair + 1];
+                if (leavesOut && early.completes(p, b)) continue;
                 const scalar* B = x.pairArea.cdata() + D*pair;
                 meet(b + 1);
                 const row<8> change = (twice(b) - Ua)*halves(2*B[0], 2*B[1]);
@@ -236,13 +236,13 @@ label variationalKernelTemplate<D, finite>::gradientLoop
     for (index a = start; a < end; ++a)
     {
         meet(e < nEdges ? x.toMeet[e/nLanes] : d.nNodes());
-        if (passBy(a)) continue;
+        if (passedBy(a)) continue;
         scalar* ga = grad + a*D*sA;
         const row<sA> Ua = rowAt<sA>(U + a*sU);
         for (; pair < nPairs && x.pairNodes[2*pair] == a; ++pair)
         {
-            if (leavesOut && early.hasPair(pair)) continue;
             const index b = x.pairNodes[2*pair + 1];
+            if (leavesOut && early.completes(p, b)) continue;
             const scalar* B = x.pairArea.cdata() + D*pair;
             meet(b + 1);
             const row<sA> change = rowAt<sA>(U + b*sU) - Ua;
@@ -288,7 +288,7 @@ label variationalKernelTemplate<D, finite>::gradients
     edgePass& pass
 ) const
 {
-    if (pass.early) return earlyGradients(x, d);
+    if (pass.early) return earlyGradients(x, d, pass);
     return
         x.early.any()
       ? gradientLoop<true>(x, d, pass)

@@ -201,7 +201,7 @@ void Foam::variationalScheme::goOn(const label p, const label end)
     edgePass& pass = passes_[p];
     const label firstLate = pass.late;
     pass.end = end;
-    if (p == fluxes) findStress(passes_[corrections].complete);
+    if (p == fluxes) findStressBefore(passes_[corrections].complete);
     run(p, pass);
 
     // Nodes that wait only for mirrors are complete with the last edge, too
@@ -249,12 +249,11 @@ void Foam::variationalScheme::run(const label p, edgePass& pass)
 }
 
 
-template<class CompleteOf, class GoOn>
+template<class GoOn>
 void Foam::variationalScheme::follow
 (
     const edgePass* passes,
     const label last,
-    const CompleteOf& completeOf,
     const GoOn& goOn
 ) const
 {
@@ -268,7 +267,10 @@ void Foam::variationalScheme::follow
             const label end =
                 p == gradients
               ? min(max(now, label(0)) + tile, dual_.nEdges())
-              : edgeBlocks::mayGo(dual_, x_.toMeet, now, completeOf(p - 1));
+              : edgeBlocks::mayGo
+                (
+                    dual_, x_.toMeet, now, passes[p - 1].complete
+                );
             if (end > now)
             {
                 goOn(p, end);
@@ -284,14 +286,14 @@ void Foam::variationalScheme::sweep(const label last)
     follow
     (
         passes_, last,
-        [&](const label p) { return passes_[p].complete; },
         [&](const label p, const label end) { goOn(p, end); }
     );
 }
 
 
-void Foam::variationalScheme::findStress(const label end)
+void Foam::variationalScheme::findStressBefore(const label end)
 {
+    // Leaves out the early ones, if they have their stress
     while (stressed_ < end)
     {
         const bool more = nextRun_ < earlyRuns_.size();
@@ -315,7 +317,7 @@ void Foam::variationalScheme::findEarlyStress()
         findStress(run.first(), run.second());
     }
     nextRun_ = 0;
-    if (!x_.early.any()) findStress(dual_.nNodes());
+    if (!x_.early.any()) findStressBefore(dual_.nNodes());
 }
 
 
@@ -354,13 +356,10 @@ Foam::label Foam::variationalScheme::mostBetween() const
     follow
     (
         passes, fluxes,
-        [&](const label p)
-        {
-            return edgeBlocks::nodesBefore(dual_, passes[p].end);
-        },
         [&](const label p, const label end)
         {
             passes[p].end = end;
+            passes[p].complete = edgeBlocks::nodesBefore(dual_, end);
             most = max(most, passes[corrections].end - passes[fluxes].end);
         }
     );
@@ -444,8 +443,9 @@ void Foam::variationalScheme::completeLate
 }
 
 
-void Foam::variationalScheme::doEarly(const label p)
+void Foam::variationalScheme::completeShared(const label p)
 {
+    if (!dual_.sharing().active()) return;
     if (x_.early.any())
     {
         edgePass pass;
@@ -482,14 +482,6 @@ void Foam::variationalScheme::doEarly(const label p)
         }
     });
     completeLate(p, 0, x_.lateNodes.size(), x_.early.any());
-}
-
-
-void Foam::variationalScheme::startMotion()
-{
-    if (!dual_.sharing().active()) return;
-    doEarly(gradients);
-    doEarly(corrections);
 }
 
 
@@ -556,13 +548,13 @@ Foam::variationalScheme::variationalScheme
     if (shares)
     {
         // If most edges are early, it is better to do all of them in order
-        const earlyEdges early
+        earlyEdges early
         (
             dual_, x_.pairNodes, dual_.sharing().sharedNodes(), x_.lateNodes
         );
         if (2*nLanes*early.blocks(gradients).size() < dual_.nEdges())
         {
-            x_.early = early;
+            x_.early = std::move(early);
         }
         DynamicList<labelPair> runs;
         for (const label a : x_.early.reached(earlyEdges::fluxes))
@@ -589,7 +581,8 @@ Foam::variationalScheme::variationalScheme
 Foam::label Foam::variationalScheme::deform()
 {
     start();
-    startMotion();
+    completeShared(gradients);
+    completeShared(corrections);
     sweep(corrections);
     if (x_.smoothed) findJacobian();
     return nBad_;
@@ -601,20 +594,21 @@ Foam::label Foam::variationalScheme::computeForces(const bool wavesAnew)
     start();
     wavesAnew_ = wavesAnew;
     if (wavesAnew) data_.waveFactor.setSize(dual_.nNodes());
-    startMotion();
+    completeShared(gradients);
+    completeShared(corrections);
     if (x_.smoothed)
     {
         // All nodes wait for each other
         sweep(corrections);
         findJacobian();
-        findStress(dual_.nNodes());
+        findStressBefore(dual_.nNodes());
         smoothPressure();
     }
     else if (dual_.sharing().active())
     {
         findEarlyStress();
     }
-    if (dual_.sharing().active()) doEarly(fluxes);
+    completeShared(fluxes);
     sweep(forces);
     return nBad_;
 }

@@ -12,6 +12,7 @@ Description
 #include "testEnvironment.H"
 #include "dualChecks.H"
 #include "meshFactory.H"
+#include "nodeGraph.H"
 
 #include <cmath>
 #include <map>
@@ -547,6 +548,49 @@ TEST_CASE("nodes are numbered such that neighbours are close", "[medianDual]")
     {
         CHECK(same.pointNode()[pointi] == pointi);
     }
+}
+
+
+TEST_CASE("nodes near given ones are together", "[medianDual][serial]")
+{
+    // Layers of rows of nodes. Those near the ends of rows are in as many parts
+    // as there are rows
+    const label across = 10, rows = 8, layers = 12, layer = across*rows;
+    const label n = layer*layers, distance = 4;
+    const nodeGraph graph(n, [&](const auto& edge)
+    {
+        for (label a = 0; a < n; ++a)
+        {
+            if (a % across < across - 1) edge(a, a + 1);
+            if (a % layer < layer - across) edge(a, a + across);
+            if (a < n - layer) edge(a, a + layer);
+        }
+    });
+    labelList ends(rows*layers);
+    forAll(ends, row) ends[row] = across*row + across - 1;
+    const labelList newNode(graph.gather(ends, distance));
+
+    labelList order(n, label(-1));
+    forAll(newNode, a) order[newNode[a]] = a;
+    const auto isNear = [&](const label a)
+    {
+        return across - 1 - a % across < distance;
+    };
+    const label window = label(graph.span(identity(n))) + 1;
+    label nParts = 0, nMoved = 0;
+    for (label i = 0; i < n; ++i)
+    {
+        REQUIRE(order[i] >= 0);
+        CHECK(order[i]/window == i/window);
+        nMoved += order[i] != i;
+        nParts += isNear(order[i]) && (i == 0 || !isNear(order[i - 1]));
+    }
+    CHECK(nMoved > 0);
+    CHECK(nParts <= n/window/2 + 1);
+    CHECK(nParts < ends.size()/2);
+
+    // Elsewhere nothing changes
+    CHECK(graph.gather(labelList(), distance) == identity(n));
 }
 
 

@@ -604,11 +604,10 @@ TEST_CASE("edges that are done early", "[variational][serial]")
 
         labelList shared(nShared);
         forAll(shared, k) shared[k] = s.n/2 + k;
-        labelList late(shared);
-        late.append(0);
-        late.append(s.n - 1);
-        Foam::sort(late);
-        s.x.setLate(late, s.nDim);
+        labelHashSet late(shared);
+        late.insert(0);
+        late.insert(s.n - 1);
+        s.x.setLate(late.sortedToc(), s.nDim);
         s.x.early =
             earlyEdges(s.dual, s.x.pairNodes, shared, s.x.lateNodes);
 

@@ -80,16 +80,8 @@ Foam::List<Foam::fieldComponent> Foam::fieldComponent::read
             << exit(FatalIOError);
     }
     DynamicList<fieldComponent> list;
-    forAll(all, i)
+    for (const word& given : all)
     {
-        // Columns have the names of the fields
-        const word& given = all[i];
-        if (all.find(given) != i)
-        {
-            FatalIOErrorInFunction(dict)
-                << "Keyword '" << keyword << "' has '" << given << "' twice"
-                << exit(FatalIOError);
-        }
         const auto dot = given.find('.');
         const word name(given.substr(0, dot), false);
         const nodalField values(body.field(name));
@@ -105,10 +97,20 @@ Foam::List<Foam::fieldComponent> Foam::fieldComponent::read
         wordList names(componentNames(values.nComponents));
         const auto add = [&](const label c, const word& component)
         {
-            list.append
-            (
-                fieldComponent(name, c, component, values.dimensions)
-            );
+            const fieldComponent field(name, c, component, values.dimensions);
+
+            // Columns have these names
+            for (const fieldComponent& other : list)
+            {
+                if (other.name() == field.name())
+                {
+                    FatalIOErrorInFunction(dict)
+                        << "Keyword '" << keyword << "' has '"
+                        << field.name().c_str()
+                        << "' twice" << exit(FatalIOError);
+                }
+            }
+            list.append(field);
         };
         if (dot != std::string::npos)
         {
