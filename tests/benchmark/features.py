@@ -225,6 +225,22 @@ PAIRS = (
 )
 
 
+def bytesOf(log):
+    """Bytes of all regions. A line that a region has in common with another one
+    is only there once."""
+    found = {}
+    for region in log.split("\nRegion ")[1:]:
+        text = region.split("\n\n")[0]
+        name, _, like = text.split("\n")[0].partition(", ")
+        of = dict(found.get(like.split(" ")[-1], {}))
+        for key, what in (("nodes", r"(\d+) nodes,"),
+                          ("bytes", r"\n    (\d+) bytes per node")):
+            if match := re.search(what, text):
+                of[key] = int(match[1])
+        found[name] = of
+    return sum(of["nodes"]*of["bytes"] for of in found.values())
+
+
 class Measured:
     """A case that runs again and again, with the time of its steps and its
     memory."""
@@ -245,10 +261,7 @@ class Measured:
             self.case.path)
         self.seconds.append(float(
             re.search(r"Steps: \d+ in (\S+) s", log)[1]))
-        self.bytes = sum(
-            int(nodes)*int(size) for nodes, size in zip(
-                re.findall(r"(\d+) nodes,", log),
-                re.findall(r"^    (\d+) bytes per node", log, re.M)))
+        self.bytes = bytesOf(log)
 
 
 # Scenes without the features that came after the commit that -before names

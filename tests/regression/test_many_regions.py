@@ -77,6 +77,17 @@ def test_same_results(tmp_path):
     assert differing(own, shared) == []
 
 
+def test_what_regions_have_in_common_is_reported_once(tmp_path):
+    """A region that is as one before is one line of the log. Of the stiff block
+    only what differs is there."""
+    _, log = collision(tmp_path).attempt()
+    first, second = log.split("\nRegion ")[1:3]
+    assert first.startswith("b1\n") and "dual mesh" in first
+    assert second.startswith("b2, otherwise as b1\n    material neoHookean")
+    assert "largest frequency" in second and "dual mesh" not in second
+    assert "\nRegion b3, as b1\n\nInterface" in log
+
+
 def test_on_two_ranks(tmp_path):
     """decomposePar does not know shared files. They are found in the folder of
     the case."""

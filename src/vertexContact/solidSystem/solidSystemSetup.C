@@ -17,6 +17,10 @@ Description
 #include "dictionaryCheck.H"
 #include "uniformDimensionedFields.H"
 #include "IOdictionary.H"
+#include "OStringStream.H"
+#include <sstream>
+#include <string>
+#include <vector>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -24,6 +28,41 @@ namespace Foam
 {
     defineTypeNameAndDebug(solidSystem, 0);
 }
+
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+typedef std::vector<std::string> textLines;
+
+//- What a body says about itself, by lines. Rounded, so that bodies that differ
+//  by round-off say the same. Collective
+textLines reportOf(const Foam::solidBody& body)
+{
+    Foam::OStringStream text;
+    text.precision(10);
+    body.report(text);
+
+    std::istringstream lines(text.str());
+    textLines list;
+    std::string line;
+    while (std::getline(lines, line)) list.push_back(line);
+    return list;
+}
+
+
+//- Number of lines that are not the same; all, if one has more lines
+std::size_t differences(const textLines& a, const textLines& b)
+{
+    if (a.size() != b.size()) return a.size();
+    std::size_t n = 0;
+    for (std::size_t k = 0; k < a.size(); ++k) n += a[k] != b[k];
+    return n;
+}
+
+} // End anonymous namespace
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -261,6 +300,45 @@ void Foam::solidSystem::accountReactions()
 }
 
 
+void Foam::solidSystem::reportBodies(Ostream& os) const
+{
+    std::vector<textLines> all;
+    forAll(bodies_, i)
+    {
+        const textLines lines(reportOf(bodies_[i]));
+
+        // The first of the bodies before this that differ in the fewest lines
+        label like = -1;
+        std::size_t nNew = lines.size();
+        for (label other = 0; other < i && nNew; ++other)
+        {
+            const std::size_t n = differences(lines, all[other]);
+            if (n < nNew)
+            {
+                nNew = n;
+                like = other;
+            }
+        }
+
+        os  << "Region " << bodies_[i].name();
+        if (like != -1)
+        {
+            os  << (nNew ? ", otherwise as " : ", as ") << bodies_[like].name();
+        }
+        os  << nl;
+        for (std::size_t k = 0; k < lines.size(); ++k)
+        {
+            if (like == -1 || lines[k] != all[like][k])
+            {
+                os  << lines[k].c_str() << nl;
+            }
+        }
+        if (nNew || i == bodies_.size() - 1) os << nl;
+        all.push_back(lines);
+    }
+}
+
+
 void Foam::solidSystem::report(Ostream& os) const
 {
     os  << "Preset " << preset::names[preset_.name] << ": timeIntegrator "
@@ -283,12 +361,7 @@ void Foam::solidSystem::report(Ostream& os) const
         os  << "Relaxation: all free nodes are stopped at each peak of the "
             << "kinetic energy" << nl;
     }
-    for (const solidBody& body : bodies_)
-    {
-        os  << "Region " << body.name() << nl;
-        body.report(os);
-        os  << nl;
-    }
+    reportBodies(os);
     contacts_.report(os);
     os  << endl;
 }
