@@ -354,6 +354,13 @@ CASES = {
         obstacle("type plan;"), ("contactProperties", "plan", "plane")),
     "obstacle without a shape": (
         obstacle("radius 3;"), ("contactProperties", "obstacle", "type")),
+    "obstacle that is a point": (
+        obstacle("type sphere; centre (2 0 0); radius 0;"),
+        ("contactProperties.interfaces.wall.obstacle", "sphere is a point")),
+    "obstacle that is nothing": (
+        obstacle("type sphere; centre (2 0 0); radius -1;"),
+        ("contactProperties.interfaces.wall.obstacle", "or nothing",
+         "bounding box")),
     "keyword beside an obstacle": (
         obstacle(PLANE, "pairing AMI;"), ("contactProperties", "pairing")),
     "unknown side of an obstacle": (

@@ -51,6 +51,14 @@ Foam::obstacleInterface::readSurface
             );
         }
     );
+    const vector span(surface->bounds().span());
+    if (cmptMin(span) < 0 || cmptMax(span) <= 0)
+    {
+        FatalIOErrorInFunction(shape)
+            << "Keyword 'obstacle': this " << type << " is a point or nothing, "
+            << "its bounding box is " << surface->bounds()
+            << exit(FatalIOError);
+    }
     return surface;
 }
 
