@@ -70,10 +70,11 @@ Foam::scalar Foam::contactInterface::kept(const contactLaw::problem& p)
 
     if (p.result.state == status::open) return 0;
     const vector remembered(tangential(p.tGap, p.n));
-    if (p.result.state == status::stick || remembered == vector::zero)
-    {
-        return 1;
-    }
+
+    // Zero also if its square is not a number any more: in long slip the slide
+    // falls by some share in each step
+    const scalar length = mag(remembered);
+    if (p.result.state == status::stick || length == 0) return 1;
 
     // The largest share s <= 1 with |other + s remembered| = limit
     const vector other
@@ -81,11 +82,10 @@ Foam::scalar Foam::contactInterface::kept(const contactLaw::problem& p)
         tangential(stickTraction(p.minus, p.plus, p.n), p.n) - remembered
     );
     const scalar limit = mag(tangential(p.result.t, p.n));
-    const scalar a = magSqr(remembered);
-    const scalar b = other & remembered;
-    const scalar c = magSqr(other) - sqr(limit);
-    const scalar root = sqr(b) - a*c;
-    return root > 0 ? max(scalar(0), min(scalar(1), (sqrt(root) - b)/a)) : 0;
+    const scalar along = other & (remembered/length);
+    const scalar root = sqr(along) - magSqr(other) + sqr(limit);
+    const scalar share = root > 0 ? (sqrt(root) - along)/length : 0;
+    return max(scalar(0), min(scalar(1), share));
 }
 
 
