@@ -447,6 +447,17 @@ def test_short_step_of_an_impact(tmp_path, ranks):
             "too fast, at time 0 s") in log, log
 
 
+def test_short_step_of_an_edge(tmp_path):
+    """In a step no edge loses more than a part of its length: the message names
+    a node of the edge."""
+    body = Body((4, 4), material=RUBBER, velocity=lambda X: -100*(X - 0.5))
+    code, log = SmallCase(tmp_path, body, 1, preset=DEFAULT,
+                          control={"minDeltaT": 0.02}).attempt()
+    assert code != 0
+    assert re.search(r"\(minDeltaT\): region \S+, node at \(.* \(reference\)",
+                     log), log
+
+
 @pytest.mark.parametrize("ranks", (1, 2))
 def test_energy_rise(tmp_path, figures, ranks):
     """A coarse cube rotates, without limiter: it gains energy."""

@@ -119,6 +119,15 @@ void Foam::variationalBody::restoreOld()
 }
 
 
+Foam::label Foam::variationalBody::findNodeWithin(const scalar timeScale) const
+{
+    const label node = deformableBody::findNodeWithin(timeScale);
+    const bool closes =
+        data_.finiteStrain && scheme_->closingTime() <= timeScale;
+    return node < 0 && closes ? scheme_->closingNode() : node;
+}
+
+
 Foam::scalar Foam::variationalBody::swing() const
 {
     if (!evaluated_) return 0;

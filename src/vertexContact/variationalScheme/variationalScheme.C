@@ -632,7 +632,35 @@ Foam::scalar Foam::variationalScheme::timeScale(const bool anew)
 
     // No edge loses more than a third of its length in a step, since the bound
     // is from the stiffness at the start of the step
-    return min(bound_, 1/(stepsToClose*x_.closing + VSMALL));
+    return min(bound_, closingTime());
+}
+
+
+Foam::label Foam::variationalScheme::closingNode() const
+{
+    const label d = dual_.nDim();
+    const auto& X = dual_.nodePosition();
+    scalar fastest = 0;
+    label node = -1;
+    for (label e = 0; e < dual_.nEdges(); ++e)
+    {
+        const label a = dual_.edgeNodes()[2*e], b = dual_.edgeNodes()[2*e + 1];
+        scalar xx = VSMALL, xv = 0;
+        for (label i = 0; i < d; ++i)
+        {
+            const label ai = a*d + i, bi = b*d + i;
+            const scalar x =
+                X[bi] + data_.state.disp[bi] - X[ai] - data_.state.disp[ai];
+            xx += sqr(x);
+            xv += x*(data_.state.lm[bi] - data_.state.lm[ai]);
+        }
+        if (-xv/xx > fastest)
+        {
+            fastest = -xv/xx;
+            node = a;
+        }
+    }
+    return node;
 }
 
 

@@ -167,8 +167,12 @@ void Foam::contactPairing::askFor(const labelList& slots)
 
 Foam::vector Foam::contactPairing::gapDirection(const dictionary& dict) const
 {
-    const vector Sm(minus_.body->dual().areaVector(minus_.geometry()));
-    const vector Sp(plus_.body->dual().areaVector(plus_.geometry()));
+    // Area vector over the area: zero for closed surfaces
+    const auto meanNormal = [](const contactSide& side)
+    {
+        const scalar area = gSum(side.geometry().cornerArea);
+        return side.body->dual().areaVector(side.geometry())/max(area, VSMALL);
+    };
     vector direction(Zero);
     if (dict.found("direction"))
     {
@@ -180,12 +184,14 @@ Foam::vector Foam::contactPairing::gapDirection(const dictionary& dict) const
                 << "Keyword 'direction' has no component in the directions of "
                 << "the mesh" << exit(FatalIOError);
         }
+        return direction/mag(direction);
     }
-    else if (mag(Sm - Sp) > opposes*(mag(Sm) + mag(Sp)))
+    const vector Sm(meanNormal(minus_)), Sp(meanNormal(plus_));
+    if (min(mag(Sm), mag(Sp)) > noDirection)
     {
-        direction = Sm/max(mag(Sm), VSMALL) - Sp/max(mag(Sp), VSMALL);
+        direction = Sm/mag(Sm) - Sp/mag(Sp);
     }
-    if (mag(direction) < noDirection)
+    if (mag(direction) < opposes)
     {
         FatalIOErrorInFunction(dict)
             << "Keyword 'direction': the mean normals of the sides "
@@ -193,7 +199,7 @@ Foam::vector Foam::contactPairing::gapDirection(const dictionary& dict) const
             << plus_.body->name() << ' ' << plus_.patchName
             << " do not oppose each other." << nl
             << "Give the direction of the gap, from the first side to the "
-            << "second" << exit(FatalIOError);
+            << "second, or choose 'pairing nearestFace'" << exit(FatalIOError);
     }
     return direction/mag(direction);
 }
