@@ -7,6 +7,7 @@ import pytest
 
 from vertexContactTests import caseTools
 from vertexContactTests.caseTools import Case, Scene, execute, timeFolders
+from vertexContactTests.smallCases import Body, SmallCase, interface
 
 
 @pytest.fixture(scope="module")
@@ -757,3 +758,26 @@ def test_bad_input(case, what):
         rows = [line for line in table.read_text().splitlines()
                 if not line.startswith("#")]
         assert all(float(row.split()[0]) == 0 for row in rows), table
+
+
+class BothEnds(Body):
+    """A block whose left and right sides are one patch."""
+
+    def boundary(self, faces):
+        both = faces["left"][:-1] + faces["right"][1:]
+        return super().boundary({**faces, "left": both, "right": "()"})
+
+
+@pytest.mark.parametrize("pairing", ("matching", "AMI"))
+def test_closed_surface(tmp_path, pairing):
+    """Its area vector is round-off, which must not be the direction of the
+    gap."""
+    bodies = [BothEnds((3, 3), "inner", sides={"left": "contact"}),
+              Body((3, 3), "outer", (1, 0, 0), sides={"left": "contact"})]
+    code, log = SmallCase(
+        tmp_path, bodies, 1, interfaces={"hub": interface(
+            ("inner", "left"), ("outer", "left"), pairing=pairing)}).attempt()
+    assert code != 0
+    for words in ("FOAM FATAL IO ERROR", "contactProperties", "'direction'",
+                  "inner left", "pairing nearestFace"):
+        assert words in log, log
