@@ -54,9 +54,11 @@ def test_decompositions(run, tmp_path, figures, scene):
                     error = largest(a - b)/max(scale, 1e-12)
                     if error >= worst:
                         worst, where = error, f"{region} {file.name}"
-            # Spheres that begin to touch amplify round-off
+            # Spheres that begin to touch amplify round-off: 4e-10, and in
+            # other machine code 1.1e-9
+            amplified = 1e-8 if "VERTEXCONTACT_SANITIZE" in os.environ else 1e-9
             f.atMost(f"largest difference / largest value, {where}", worst,
-                     1e-9 if scene.path == "newtonsCradle" else 1e-10)
+                     amplified if scene.path == "newtonsCradle" else 1e-10)
         shutil.rmtree(case.path)
 
 

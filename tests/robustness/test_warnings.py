@@ -164,6 +164,33 @@ def test_surface_goes_through(tmp_path):
     assert "gone through" in result.why, result.why
 
 
+@pytest.mark.parametrize("ranks", (1, 2))
+@pytest.mark.parametrize("sides, passes", (("tractionFree", True),
+                                           ("contact", False)))
+def test_pad_bends_round_an_edge(tmp_path, ranks, sides, passes):
+    """A block is pressed into a soft pad, which bulges round its edges. If the
+    sides of the block cannot touch it, the pad goes into them, and the pressed
+    nodes lose what is opposite, one after the other, from the edges inwards."""
+    foam = {"type": "neoHookean", "rho": 60, "E": 1e5, "nu": 0}
+    both = {"left": sides, "right": sides}
+    press = condition("fixedVelocity", components=("y",), velocity=table(
+        (0, (0, 0, 0)), (0.02, (0, -0.25, 0)), (0.2, (0, -0.25, 0))))
+    bodies = [
+        Body((9, 5), "pad", size=(0.1, 0.05, 1), material=foam,
+             sides={"bottom": "slip", "top": "contact", **both}),
+        Body((14, 8), "block", (0, 0.05, 0), (0.1, 0.05, 1),
+             dict(bottom="contact", top=press, **both),
+             dict(foam, rho=90, E=3e5, nu=0.1))]
+    case = SmallCase(
+        tmp_path, bodies, 0.12, preset=DEFAULT,
+        control={"damping": {'".*"': {"coefficient": 30}}},
+        interfaces={"press": {"surfaces": "all", "self": "no"}})
+    code, log = case.attempt(ranks)
+    assert (code != 0) == passes, log
+    assert ("has nothing opposite any more" in log) == passes, log
+    assert ("contact also on the faces" in log) == passes, log
+
+
 @pytest.mark.parametrize("waveSpeed, speed, warned", (
     ("linear", 0.9, True), ("linear", 0.5, False), ("stretched", 0.9, False)))
 def test_fast_impact(tmp_path, waveSpeed, speed, warned):

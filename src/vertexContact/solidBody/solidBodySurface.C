@@ -251,6 +251,28 @@ Foam::scalar Foam::solidBody::surfaceArea
 }
 
 
+Foam::labelList Foam::solidBody::pressedInside(const scalar share) const
+{
+    DynamicList<label> nodes;
+    if (!contact_.on()) return nodes;
+
+    for (const label patchi : contactPatches())
+    {
+        const labelList& cornerNode = dual_.patches()[patchi].cornerNode;
+        const scalarField& depth = surfaces_[patchi].depth;
+        forAll(cornerNode, k)
+        {
+            const label a = cornerNode[k];
+            if (contact_.touches(a) && contact_.gap[a] < -share*depth[k])
+            {
+                nodes.append(a);
+            }
+        }
+    }
+    return nodes;
+}
+
+
 const Foam::boundBox& Foam::solidBody::surfaceVelocities
 (
     const label patchi,

@@ -9,6 +9,7 @@
 #include "solidBody.H"
 #include "dictionaryCheck.H"
 #include "generalInterface.H"
+#include "OStringStream.H"
 #include "rankRows.H"
 #include "stopwatch.H"
 #include "systemChecks.H"
@@ -66,6 +67,58 @@ void Foam::contactSystem::setOpposite()
             contact.forOpposite(visit);
         }
         body.setOpposite(corners, all);
+    }
+}
+
+
+void Foam::contactSystem::findLost()
+{
+    lost_.clear();
+
+    // Nodes that were pressed, and are deep inside
+    List<labelList> inside(bodies_.size());
+    bool any = false;
+    forAll(bodies_, i)
+    {
+        inside[i] = bodies_[i].pressedInside(contactInterface::leftDepth);
+        any = any || inside[i].size();
+    }
+    if (!returnReduce(any, orOp<bool>())) return;
+
+    List<scalarField> opposite(bodies_.size());
+    forAll(bodies_, i) opposite[i].setSize(bodies_[i].dual().nNodes(), Zero);
+    const contactInterface::visitor visit = [&]
+    (
+        const contactSide& side,
+        const labelUList& corners,
+        const scalar
+    )
+    {
+        const labelList& node = side.geometry().cornerNode;
+        forAll(bodies_, i)
+        {
+            if (side.body != &bodies_[i]) continue;
+            for (const label k : corners) opposite[i][node[k]] = 1;
+        }
+    };
+    for (const contactInterface& contact : interfaces_)
+    {
+        contact.forOpposite(visit);
+    }
+    forAll(bodies_, i)
+    {
+        bodies_[i].dual().sharing().sum(opposite[i].data(), 1);
+        for (const label a : inside[i])
+        {
+            if (opposite[i][a] > 0 || lost_.size()) continue;
+            OStringStream os;
+            os  << "region " << bodies_[i].name() << ", node at "
+                << bodies_[i].meshPoint(a) << " (reference) "
+                << bodies_[i].position(a) << " (current), was pressed, "
+                << -bodies_[i].contact().gap[a]
+                << " m inside, and has nothing opposite any more";
+            lost_ = os.str();
+        }
     }
 }
 
@@ -218,6 +271,7 @@ void Foam::contactSystem::pair(const scalar time, const bool all)
     }
     nPairings_ += found;
     setOpposite();
+    if (found) findLost();
 }
 
 
@@ -268,6 +322,7 @@ Foam::contactSystem::findings Foam::contactSystem::look
 {
     const stopwatch watch(pairingSeconds_);
     findings found;
+    found.lost = lost_;
     for (contactInterface& contact : interfaces_)
     {
         if (found.lost.empty()) found.lost = contact.lost();

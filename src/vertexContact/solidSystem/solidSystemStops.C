@@ -179,8 +179,9 @@ void Foam::solidSystem::stopOnLostContact(const string& where)
     (
         "A surface has gone through another one",
         where,
-        "a finer mesh at the surfaces, or round edges where edges dig in; the "
-        "impact may be too fast for the scheme "
+        "contact also on the faces around this place; a finer mesh at the "
+        "surfaces, or round edges where edges dig in; the impact may be too "
+        "fast for the scheme "
         "(tests/robustness/stability.md)."
     );
 }
