@@ -5,9 +5,9 @@ import numpy as np
 import pytest
 
 from vertexContactTests.caseTools import DEFAULT, PRESET
-from vertexContactTests.smallCases import (ELASTIC, RUBBER, Body, SmallCase,
-                                           condition, coulomb, interface,
-                                           table, turned)
+from vertexContactTests.smallCases import (ELASTIC, FLOOR, RUBBER, Body,
+                                           SmallCase, condition, coulomb,
+                                           interface, table, turned)
 from vertexContactTests.stability.free import rubber
 from vertexContactTests.stability.impacts import bar, ends, mach, outer
 from vertexContactTests.stability.judge import STOPPED
@@ -143,6 +143,21 @@ def test_contact_that_gave_before(tmp_path):
     case.set("system/controlDict", {"endTime": 4.2, "maxEnergyRise": 0.05})
     code, output = case.attempt()
     assert code == 0 and "Contact has given" not in output, output
+
+
+@pytest.mark.parametrize("maxCo, balances", ((1.2, False), (0.45, True)))
+def test_energies_that_do_not_balance(tmp_path, maxCo, balances):
+    """A metal dissipates what an unstable step gains, so that its kinetic and
+    strain energies do not rise."""
+    metal = Body((4, 4), velocity=(0, -0.1, 0), sides={"bottom": "contact"},
+                 material=dict(LAWS["HenckyVonMises"], E=1, nu=0.33,
+                               tauY=0.003, Hardening=0.003))
+    code, log = SmallCase(
+        tmp_path, metal, 8, preset="fast", control={"maxCo": maxCo},
+        interfaces={"floor": {"side": ("body", "bottom"), "obstacle": FLOOR}}
+        ).attempt()
+    assert code == 0, log
+    assert ("is not accounted for" in log) != balances, log
 
 
 @BOTH

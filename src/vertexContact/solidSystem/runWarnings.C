@@ -92,6 +92,16 @@ void Foam::runWarnings::checkEnergies
     largest_ = max(largest_, max(e.total(), e.roundOff));
     roundOff_ = e.roundOff;
     given_ = max(given_, e.contactGain);
+    unbalanced_ = max
+    (
+        unbalanced_,
+        mag(e.balance)
+       /(
+            e.total() + mag(e.numericalDissipation) + e.plasticDissipation
+          + e.dampingDissipation + e.relaxationDissipation
+          + e.roundOff/gains + VSMALL
+        )
+    );
 }
 
 
@@ -111,6 +121,14 @@ void Foam::runWarnings::reportGain() const
             << "    'maxEnergyRise' in controlDict ends a run when the energy "
             << "rises."
             << endl;
+    }
+    else if (unbalanced_ > gains)
+    {
+        WarningInFunction
+            << "The energies do not balance: " << 100*unbalanced_
+            << " % of them is not accounted for ('balance' in the log)." << nl
+            << "    Likely cures: a smaller maxCo, or 'preset balanced' "
+            << "instead of 'fast'; a finer mesh." << endl;
     }
     if (given_ > least)
     {
