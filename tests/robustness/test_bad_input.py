@@ -285,6 +285,13 @@ CASES = {
         replace(contact, r"interfaces\s*\{", "interfaces { again { sides ("
                 "(bar2 left) (bar1 right)); pairing nearestFace; }"),
         ("contactProperties", "'again' and 'bars'", "'sides'")),
+    **{f"obstacle that is there twice{how}": (
+        all_of(obstacle(PLANE, f"}} {first} {{ side (bar2 left); "
+                               f"obstacle {{ {PLANE} }}", side=side)),
+        ("contactProperties", first, "wall", "'obstacle'", "twice"))
+       for how, first, side in (
+        ("", "floor", "(bar2 left)"),
+        (", by an expression", "floor", '("bar2" "le.*")'))},
     "unknown pairing": (
         edit(contact, {"interfaces/bars/pairing": "matchin"}),
         ("contactProperties", "matchin", "matching")),

@@ -131,12 +131,12 @@ void Foam::contactSystem::read(const Time& runTime)
                 }
             }
         }
+        systemChecks::sameSides(list, interfaces_);
     }
     systemChecks::contactPatches
     (
         contactIO.objectPath(), bodies_, interfaces_
     );
-    systemChecks::sameSides(contactIO.objectPath(), interfaces_);
     setOpposite();
 }
 
