@@ -362,12 +362,24 @@ CASES = {
     "obstacle without a shape": (
         obstacle("radius 3;"), ("contactProperties", "obstacle", "type")),
     "obstacle that is a point": (
-        obstacle("type sphere; centre (2 0 0); radius 0;"),
-        ("contactProperties.interfaces.wall.obstacle", "sphere is a point")),
-    "obstacle that is nothing": (
-        obstacle("type sphere; centre (2 0 0); radius -1;"),
-        ("contactProperties.interfaces.wall.obstacle", "or nothing",
+        obstacle("type box; min (2 0 0); max (2 0 0);"),
+        ("contactProperties.interfaces.wall.obstacle", "box is a point",
          "bounding box")),
+    **{f"{shape.split()[0]} of radius {radius}": (
+        obstacle(f"type {shape} radius {radius};"),
+        ("contactProperties.interfaces.wall.obstacle",
+         f"'radius' is {radius}", "positive"))
+       for shape in ("sphere; centre (2 0 0);",
+                     "disk; origin (2 0 0); normal (1 0 0);",
+                     "cylinder; point1 (2 0 0); point2 (2 0 1);")
+       for radius in (0, -1)},
+    "cylinder without length": (
+        obstacle("type cylinder; point1 (2 0 0); point2 (2 0 0); radius 1;"),
+        ("contactProperties.interfaces.wall.obstacle", "'point1'", "'point2'",
+         "(2 0 0)")),
+    "plane that is normal to the mesh": (
+        obstacle(PLANE.replace("(-1 0 0)", "(0 2 0)")),
+        ("contactProperties.interfaces.wall.obstacle", "(0 1 0)", "bar2")),
     "keyword beside an obstacle": (
         obstacle(PLANE, "pairing AMI;"), ("contactProperties", "pairing")),
     "unknown side of an obstacle": (
