@@ -427,6 +427,16 @@ CASES = {
     "more heat than work": (
         plastic("tauY 1; adiabaticHeating { beta 1.1; cp 400; }"),
         ("mechanicalProperties", "beta", "1.1", "from 0 to 1")),
+    **{f"{name} of {kind}": (
+        all_of(rewrite(material, f"type {kind}; rho 1; {law}"),
+               field(name, "Scalar", dimensions, value)),
+        (f"bar1/{name}", kind, "bar1", meant))
+       for name, dimensions, value, meant in (
+        ("epsilonPEq", "0 0 0 0 0 0 0", 0.1, "only HenckyVonMises"),
+        ("pointT", "0 0 0 1 0 0 0", 300, "only with adiabaticHeating"))
+       for kind, law in (("neoHookean", "E 1; nu 0;"), ("rigid", ""),
+                         ("HenckyVonMises", "E 1; nu 0; tauY 1;"))
+       if (name, kind) != ("epsilonPEq", "HenckyVonMises")},
     "below absolute zero": (
         all_of(plastic("tauY 1; adiabaticHeating { cp 400; }"),
                field("pointT", "Scalar", "0 0 0 1 0 0 0", -20)),

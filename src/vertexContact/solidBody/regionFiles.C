@@ -6,6 +6,7 @@
 
 #include "regionFiles.H"
 #include "dictionaryCheck.H"
+#include "materialModel.H"
 #include "IOdictionary.H"
 #include "localIOdictionary.H"
 #include "pointFields.H"
@@ -267,6 +268,53 @@ Foam::fileName Foam::regionFiles::sharedField
     const Time& runTime = mesh.time();
     const fileName file(runTime.globalPath()/runTime.timeName()/name);
     return fileHandler().isFile(file) ? file : fileName();
+}
+
+
+Foam::wordList Foam::regionFiles::fieldsWithout(const materialModel& law)
+{
+    wordList names;
+    if (!law.plastic())
+    {
+        names = wordList
+        ({
+            "CpInv", "elasticStrain", "epsilonPEq", "hourglassShare"
+        });
+    }
+    if (!(law.initialTemperature() > 0)) names.append(word("pointT"));
+    return names;
+}
+
+
+void Foam::regionFiles::checkFields
+(
+    const polyMesh& mesh,
+    const materialModel& law
+)
+{
+    const wordList without(fieldsWithout(law));
+    for (const keywordList::keyword& field : startFields().all)
+    {
+        IOobject io(input(field.name, mesh.time().timeName(), mesh));
+        if
+        (
+            without.found(field.name)
+         && io.typeHeaderOk<localIOdictionary>(false)
+        )
+        {
+            FatalFileErrorInFunction(io.objectPath())
+                << "The field " << field.name << " (" << field.meaning.c_str()
+                << ") does not work with type " << law.type()
+                << " of region '" << mesh.name() << "'." << nl
+                << "Remove the field"
+                <<
+                (
+                    field.deflt == "symmTensor"
+                  ? ", or give a stretch by the field F0" : ""
+                )
+                << exit(FatalIOError);
+        }
+    }
 }
 
 

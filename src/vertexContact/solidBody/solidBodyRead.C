@@ -218,6 +218,7 @@ void Foam::solidBody::readState()
         }
     }
 
+    regionFiles::checkFields(mesh_, *material_);
     const auto lm =
         readIfPresent<vector>("lm", dimDensity*dimVelocity);
     const auto D = readIfPresent<vector>("pointD", dimLength);
