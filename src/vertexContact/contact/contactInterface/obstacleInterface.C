@@ -388,9 +388,10 @@ Foam::obstacleInterface::obstacleInterface
         if (mag(side_.body->dual().projected(n)) <= parallel)
         {
             FatalIOErrorInFunction(dict.subDict("obstacle"))
-                << "The normal of this plane is " << n << ", which is normal "
-                << "to the mesh of region '" << side_.body->name()
-                << "': they can never touch" << exit(FatalIOError);
+                << "Keyword 'obstacle': the normal of this plane is " << n
+                << ", which is normal to the mesh of region '"
+                << side_.body->name() << "': they can never touch"
+                << exit(FatalIOError);
         }
     }
 
