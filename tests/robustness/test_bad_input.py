@@ -634,6 +634,16 @@ CASES = {
     "broken expression of a side": (
         replace(contact, r"\(bar1 right\)", '("bar[" right)'),
         ("contactProperties", "'sides'", "regular expression", "bar[")),
+    **{f"broken expression as a keyword of {file.split('/')[-1]}": (
+        action, (file, "regular expression '['"))
+       for file, action in (
+        ("constant/solidProperties", all_of(
+            remove(material), rewrite("constant/solidProperties",
+                                      '"[" { type rigid; rho 1; }'))),
+        (contact, replace(contact, r"interfaces\s*\{",
+                          'interfaces { "[" { surfaces all; }')),
+        (velocity, replace(velocity, r"boundaryField\s*\{",
+                           'boundaryField { "[" { type calculated; }')))},
     "surfaces that are a word": (
         replace(contact, r"interfaces\s*\{", "interfaces { many { surfaces "
                 "al; }"),

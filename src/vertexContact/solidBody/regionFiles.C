@@ -36,6 +36,22 @@ IOobject input
 }
 
 
+//- Read a file. OpenFOAM does not say which one has a broken expression
+dictionary parsed
+(
+    const IOobject& io,
+    const std::function<dictionary(const IOobject&)>& read
+)
+{
+    dictionary dict(io.objectPath());
+    dictionaryCheck::withPlace
+    (
+        dict, "The file cannot be read", [&]() { dict = read(io); }
+    );
+    return dict;
+}
+
+
 //- Read a dictionary of the region or of the case, empty if there is no file
 dictionary readIfThere
 (
@@ -47,7 +63,13 @@ dictionary readIfThere
     IOobject io(input(name, instance, db));
     if (dictionaryCheck::isThere<IOdictionary>(io))
     {
-        dictionary dict = IOdictionary(io);
+        dictionary dict
+        (
+            parsed(io, [](const IOobject& its) -> dictionary
+            {
+                return IOdictionary(its);
+            })
+        );
         dict.remove("FoamFile");
         return dict;
     }
@@ -335,7 +357,13 @@ Foam::dictionary Foam::regionFiles::velocity(const polyMesh& mesh)
     if (shared == own.objectPath())
     {
         // If there is none, OpenFOAM ends with its own message
-        const localIOdictionary field(own, pointVectorField::typeName);
+        const dictionary field
+        (
+            parsed(own, [](const IOobject& its) -> dictionary
+            {
+                return localIOdictionary(its, pointVectorField::typeName);
+            })
+        );
         checkPatches(field, mesh);
         return field;
     }
