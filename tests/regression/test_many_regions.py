@@ -240,6 +240,8 @@ def test_whole_regions_on_ranks(tmp_path, figures):
     (4, "manual", {}, "Keyword 'numberOfSubdomains' is 4"),
     (2, "manual", {"manualCoeffs": 5},
      "Keyword 'manualCoeffs' is not a dictionary"),
+    *((2, "manual", {"manualCoeffs": {"dataFile": f'"{name}"'}},
+       f"Keyword 'dataFile' is \"{name}\"") for name in ("a/ranks", "../ranks")),
 ))
 def test_place_regions_refuses(tmp_path, ranks, method, more, message):
     done = place(collision(tmp_path/"case"), ranks, method, more)

@@ -286,6 +286,13 @@ CASES = {
         replace(contact, r"interfaces\s*\{", "interfaces { again { sides ("
                 "(bar2 left) (bar1 right)); pairing nearestFace; }"),
         ("contactProperties", "'again' and 'bars'", "'sides'")),
+    **{f"obstacle that is there twice{how}": (
+        all_of(obstacle(PLANE, f"}} {first} {{ side (bar2 left); "
+                               f"obstacle {{ {PLANE} }}", side=side)),
+        ("contactProperties", first, "wall", "'obstacle'", "twice"))
+       for how, first, side in (
+        ("", "floor", "(bar2 left)"),
+        (", by an expression", "floor", '("bar2" "le.*")'))},
     "unknown pairing": (
         edit(contact, {"interfaces/bars/pairing": "matchin"}),
         ("contactProperties", "matchin", "matching")),
@@ -356,12 +363,24 @@ CASES = {
     "obstacle without a shape": (
         obstacle("radius 3;"), ("contactProperties", "obstacle", "type")),
     "obstacle that is a point": (
-        obstacle("type sphere; centre (2 0 0); radius 0;"),
-        ("contactProperties.interfaces.wall.obstacle", "sphere is a point")),
-    "obstacle that is nothing": (
-        obstacle("type sphere; centre (2 0 0); radius -1;"),
-        ("contactProperties.interfaces.wall.obstacle", "or nothing",
+        obstacle("type box; min (2 0 0); max (2 0 0);"),
+        ("contactProperties.interfaces.wall.obstacle", "box is a point",
          "bounding box")),
+    **{f"{shape.split()[0]} of radius {radius}": (
+        obstacle(f"type {shape} radius {radius};"),
+        ("contactProperties.interfaces.wall.obstacle",
+         f"'radius' is {radius}", "positive"))
+       for shape in ("sphere; centre (2 0 0);",
+                     "disk; origin (2 0 0); normal (1 0 0);",
+                     "cylinder; point1 (2 0 0); point2 (2 0 1);")
+       for radius in (0, -1)},
+    "cylinder without length": (
+        obstacle("type cylinder; point1 (2 0 0); point2 (2 0 0); radius 1;"),
+        ("contactProperties.interfaces.wall.obstacle", "'point1'", "'point2'",
+         "(2 0 0)")),
+    "plane that is normal to the mesh": (
+        obstacle(PLANE.replace("(-1 0 0)", "(0 2 0)")),
+        ("contactProperties.interfaces.wall.obstacle", "(0 1 0)", "bar2")),
     "keyword beside an obstacle": (
         obstacle(PLANE, "pairing AMI;"), ("contactProperties", "pairing")),
     "unknown side of an obstacle": (
@@ -409,6 +428,16 @@ CASES = {
     "more heat than work": (
         plastic("tauY 1; adiabaticHeating { beta 1.1; cp 400; }"),
         ("mechanicalProperties", "beta", "1.1", "from 0 to 1")),
+    **{f"{name} of {kind}": (
+        all_of(rewrite(material, f"type {kind}; rho 1; {law}"),
+               field(name, "Scalar", dimensions, value)),
+        (f"bar1/{name}", kind, "bar1", meant))
+       for name, dimensions, value, meant in (
+        ("epsilonPEq", "0 0 0 0 0 0 0", 0.1, "only HenckyVonMises"),
+        ("pointT", "0 0 0 1 0 0 0", 300, "only with adiabaticHeating"))
+       for kind, law in (("neoHookean", "E 1; nu 0;"), ("rigid", ""),
+                         ("HenckyVonMises", "E 1; nu 0; tauY 1;"))
+       if (name, kind) != ("epsilonPEq", "HenckyVonMises")},
     "below absolute zero": (
         all_of(plastic("tauY 1; adiabaticHeating { cp 400; }"),
                field("pointT", "Scalar", "0 0 0 1 0 0 0", -20)),
@@ -606,6 +635,16 @@ CASES = {
     "broken expression of a side": (
         replace(contact, r"\(bar1 right\)", '("bar[" right)'),
         ("contactProperties", "'sides'", "regular expression", "bar[")),
+    **{f"broken expression as a keyword of {file.split('/')[-1]}": (
+        action, (file, "regular expression '['"))
+       for file, action in (
+        ("constant/solidProperties", all_of(
+            remove(material), rewrite("constant/solidProperties",
+                                      '"[" { type rigid; rho 1; }'))),
+        (contact, replace(contact, r"interfaces\s*\{",
+                          'interfaces { "[" { surfaces all; }')),
+        (velocity, replace(velocity, r"boundaryField\s*\{",
+                           'boundaryField { "[" { type calculated; }')))},
     "surfaces that are a word": (
         replace(contact, r"interfaces\s*\{", "interfaces { many { surfaces "
                 "al; }"),

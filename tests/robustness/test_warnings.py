@@ -266,6 +266,17 @@ def test_velocity_that_the_mesh_does_not_solve(tmp_path, v):
     assert (f"up to {v} m/s" in output) == (v > 0), output
 
 
+@pytest.mark.parametrize("u", (0, 0.1))
+def test_displacement_that_the_mesh_does_not_solve(tmp_path, u):
+    """In two dimensions the displacement is along the third one."""
+    code, output = SmallCase(tmp_path, Body(
+        (2, 2), displacement=lambda X: X*(0.01, 0, 0) + (0, 0, u)), 0.1,
+        preset=DEFAULT).attempt()
+    assert code == 0, output
+    assert ("an initial displacement of up to 0.1 m" in output) == (u > 0)
+    assert ("directions that the mesh does not solve" in output) == (u > 0)
+
+
 LEFT_OUT = {
     "gravity": ({"gravity": (0, -0.1, -9)}, {}),
     "acceleration": ({}, {"forces": {"s": {

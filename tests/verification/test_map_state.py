@@ -305,6 +305,27 @@ boundaryField { ".*" { type calculated; } "front|back" { type empty; } }""")
         return [Body(cells=(4, 4), name="a", **first),
                 Body(cells=(4, 4), name="b", start=(3, 0, 0))]
 
+    # The same regions, of another kind
+    metal = {"type": "HenckyVonMises", "rho": 1, "E": 1, "nu": 0.3,
+             "tauY": 0.02}
+    hot = {**metal, "adiabaticHeating": {"cp": 1}}
+    rigid = {"type": "rigid", "rho": 1}
+    flown = {name: make(tmp_path/name, Body(
+        cells=(4, 4), material=material, velocity=lambda X: 0.2*X), 0.1).run()
+        for name, material in (("metal", metal), ("hot", hot))}
+    for i, (there, changes, words) in enumerate((
+            (source, {"cells": (4, 4, 4)}, ("(1 1 -1)", "(1 1 1)")),
+            (source, {"material": rigid}, ("neoHookean", "rigid")),
+            (flown["metal"], {}, ("CpInv", "HenckyVonMises", "neoHookean")),
+            (flown["hot"], {"material": metal}, ("pointT", "HenckyVonMises")))):
+        here = make(tmp_path/f"here{i}", Body(**{"cells": (4, 4), **changes}))
+        start = (here/"0/body/pointU").read_bytes()
+        message = bad(here, str(there.path))
+        for word in ("'body'", *words):
+            assert word in message, message
+        assert (here/"0/body/pointU").read_bytes() == start
+        assert [file.name for file in (here/"0/body").iterdir()] == ["pointU"]
+
     two = make(tmp_path/"two", pair(displacement=lambda X: 0.1*X))
     half = make(tmp_path/"half", pair())
     shutil.copytree(stale/"0"/"body", half/"0"/"b", dirs_exist_ok=True)

@@ -718,6 +718,38 @@ def test_warning_of_the_start_velocity(tmp_path, figures):
                 [False, False, True, False])
 
 
+@pytest.mark.parametrize("dimensions", (2, 3))
+def test_displacements_of_no_rigid_body(tmp_path, figures, dimensions):
+    """The warning comes if pointD is not the motion of a rigid body, but not
+    for one with six digits, and never in a restarted run. A body that is
+    turned inside out is an error."""
+    def away(X):
+        return turned(X, (0, 0, 1), 0.5) - X + (9, 4, 0)
+    said = {}
+    for name, displacement in (
+            ("moves", away), ("rests", lambda X: 0*X),
+            ("digits", np.vectorize(lambda X: float(f"{X:.6g}"))),
+            ("stretches", lambda X: X*(1e-4, 0, 0)),
+            ("mirrors", lambda X: X*(-2, 0, 0))):
+        case = SmallCase(tmp_path/name, Body(
+            cells=(3,)*dimensions, material=rigid(), displacement=(
+                lambda X: displacement(away(X))) if name == "digits"
+            else displacement), 0.1,
+            control={**FIXED, "deltaT": 0.01}, preset=DEFAULT)
+        said[name] = []
+        for end in 0.1, 0.2:
+            case.set("system/controlDict", {"endTime": end})
+            code, log = case.attempt()
+            said[name].append(
+                "inside out" in log and "0/body/pointD" in log if code else
+                "cannot have the displacements of pointD" in log)
+    with figures(f"displacements at the start, rigid, {dimensions}D") as f:
+        f.equal("said", said, {
+            "moves": [False, False], "rests": [False, False],
+            "digits": [False, False], "stretches": [True, False],
+            "mirrors": [True, True]})
+
+
 @pytest.mark.parametrize("U, warned", (
     ((0, -0.05, 0), True), ((0, -0.2, 0), False), ((0, 0, 0), False),
     ((0.1, 0, 0), False), ((0.1, -0.2, 0), False)))

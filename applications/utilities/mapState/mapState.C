@@ -37,9 +37,11 @@ Usage
     be decomposed (-parallel); each rank reads all of the other one.
 
     Throws FatalIOError if the other case has none of the regions, or no pointU
-    at that time; if that time is incomplete, or processors have later ones; for
-    points far from its mesh; and if the start time has results of a run, or a
-    field that the other case lacks: states would be mixed.
+    at that time; if a mesh has other directions, or only one of both regions is
+    rigid, or this one lacks the other's plasticity or heating; if that time is
+    incomplete, or processors have later ones; for points far from its mesh; and
+    if the start time has results of a run, or a field that the other case
+    lacks: states would be mixed.
 
 SourceFiles
     mapState.C
@@ -54,6 +56,7 @@ SourceFiles
 #include "pointFields.H"
 #include "pointMapping.H"
 #include "regionFiles.H"
+#include "rigidMaterial.H"
 #include "systemChecks.H"
 #include "dictionaryCheck.H"
 #include "displacementFilter.H"
@@ -165,6 +168,24 @@ void refuse(const fileName& file, const char* why)
         << "mixture of two states. Remove the file, or set 'startTime' to a "
         << "time without it"
         << exit(FatalIOError);
+}
+
+
+//- Error: the state of a region of the other case is none of this case
+template<class Type>
+void refuseState
+(
+    const fileName& file,
+    const word& region,
+    const char* what,
+    const Type& theirs,
+    const Type& ours
+)
+{
+    FatalFileErrorInFunction(file)
+        << "Region '" << region << "': " << what << ": " << theirs
+        << " in the other case, but " << ours << " in this one, which cannot "
+        << "have that state" << exit(FatalIOError);
 }
 
 
@@ -423,6 +444,7 @@ int main(int argc, char *argv[])
     const wordList names(systemChecks::regionNames(runTime));
     PtrList<polyMesh> targets(names.size()), sources(names.size());
     PtrList<pointMapping> mappings(names.size());
+    List<wordList> without(names.size());
     label nMapped = 0;
     forAll(names, i)
     {
@@ -448,9 +470,16 @@ int main(int argc, char *argv[])
         (
             sourceTime.path()/sourceTime.timeName()/name
         );
-        wordList missing({"lm"});
-        bool moves = false;
-        word instead;
+        const dictionary material(regionFiles::material(targets[i]));
+        const autoPtr<materialModel> law
+        (
+            rigidMaterial::describedBy(material)
+          ? new rigidMaterial(1)
+          : materialModel::New(material, jacobianForm::volumetric).ptr()
+        );
+        without[i] = regionFiles::fieldsWithout(*law);
+        word foreign;
+        Vector<label> directions;
         {
             const alone here;
             sources.set
@@ -465,6 +494,42 @@ int main(int argc, char *argv[])
                     )
                 )
             );
+            directions = sources[i].geometricD();
+            for (const word& field : without[i])
+            {
+                if (foreign.empty() && has(field, sources[i])) foreign = field;
+            }
+        }
+        const word type(regionFiles::material(sources[i]).get<word>("type"));
+        if (directions != targets[i].geometricD())
+        {
+            refuseState
+            (
+                sourceFile, name, "the directions of the mesh (1: solved)",
+                directions, targets[i].geometricD()
+            );
+        }
+        if
+        (
+            type != law->type()
+         && (type == rigidMaterial::typeName || isA<rigidMaterial>(*law))
+        )
+        {
+            refuseState(sourceFile, name, "'type'", type, law->type());
+        }
+        if (foreign.size())
+        {
+            FatalFileErrorInFunction(sourceFile/foreign)
+                << "Region '" << name << "': the other case has this field, of "
+                << "type " << type << ", but type " << law->type() << " of "
+                << "this case has no such state" << exit(FatalIOError);
+        }
+
+        wordList missing({"lm"});
+        bool moves = false;
+        word instead;
+        {
+            const alone here;
             mappings.set
             (
                 i,
@@ -476,8 +541,11 @@ int main(int argc, char *argv[])
             const auto theirs = [&](const word& field)
             {
                 return
-                    has(field, sources[i])
-                 || sharedFile(field, sources[i]).size();
+                    !without[i].found(field)
+                 && (
+                        has(field, sources[i])
+                     || sharedFile(field, sources[i]).size()
+                    );
             };
             moves = theirs("pointU");
             const bool strained = hasElasticStrain(sources[i]);
@@ -548,8 +616,9 @@ int main(int argc, char *argv[])
         pointU.primitiveFieldRef() = mapping.map(velocity);
         pointU.write();
 
-        const auto map = [&](auto zero, const char* field, dimensionSet dims)
+        const auto map = [&](auto zero, const word& field, dimensionSet dims)
         {
+            if (without[i].found(field)) return word();
             return mapField<decltype(zero)>
             (
                 field, dims, mapping, source, target

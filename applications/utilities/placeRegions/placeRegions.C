@@ -157,6 +157,13 @@ int main(int argc, char *argv[])
             control, "manualCoeffs", "dataFile \"ranks\";"
         ).get<fileName>("dataFile")
     );
+    if (file.empty() || file != file.name())
+    {
+        FatalIOErrorInFunction(control.subDict("manualCoeffs"))
+            << "Keyword 'dataFile' is " << file << ": it must be the name of a "
+            << "file in the folder of each region, without '/'"
+            << exit(FatalIOError);
+    }
     const label nRanks = control.get<label>("numberOfSubdomains");
 
     const wordList names(systemChecks::regionNames(runTime));

@@ -76,31 +76,6 @@ void Foam::deformableBody::readKinematics
     // A state that a run wrote, or that displacements have strained, is at its
     // yield stress, or beyond it by the flow of the first step
     if (material_->plastic()) readPlasticState(!hasF && !hasDisplacement);
-    else refusePlasticState();
-}
-
-
-void Foam::deformableBody::refusePlasticState() const
-{
-    for (const word name : {"CpInv", "elasticStrain"})
-    {
-        // The case's fields are only for the regions that can have them
-        fileName file;
-        if
-        (
-            readIfPresent<symmTensor>(name, dimless, &file).valid()
-         && isOwn(name, file)
-        )
-        {
-            FatalFileErrorInFunction(file)
-                << "The field " << name << " is for metal that can yield, and "
-                << "does not work with type " << material_->type()
-                << " of region '"
-                << name_ << "'." << nl
-                << "Remove the field, or give a stretch by the field F0"
-                << exit(FatalIOError);
-        }
-    }
 }
 
 

@@ -9,15 +9,16 @@
 #include "fileError.H"
 #include "regionFiles.H"
 #include "Time.H"
+#include <functional>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
 namespace
 {
 
-//- Share of the energy at the start that may be other than rigid motion:
-//  velocities are written with six digits
-constexpr Foam::scalar largestLost = 1e-12;
+//- Share of the squares of velocities at the start, and of displacements, that
+//  may be other than rigid motion: they are written with six digits
+constexpr Foam::scalar largestLost = 2.5e-11;
 
 //- The polar decomposition ends at this square of a change: round-off of nine
 //  components. Then its largest number of passes: it converges from everywhere
@@ -135,7 +136,7 @@ void Foam::rigidRegion::fitRigid()
 
     tensor turned(Zero), own(Zero);
     vector momentum(Zero);
-    scalar speedSqr = 0;
+    scalar speedSqr = 0, movedSqr = 0;
     forAll(ownedVolume_, a)
     {
         const scalar V = ownedVolume_[a];
@@ -146,11 +147,13 @@ void Foam::rigidRegion::fitRigid()
         own += V*(magSqr(y)*tensor::I - y*y);
         momentum += V*(y ^ v);
         speedSqr += V*magSqr(speed(a));
+        movedSqr += V*magSqr(displacement(a));
     }
     reduce(turned, sumOp<tensor>());
     reduce(own, sumOp<tensor>());
     reduce(momentum, sumOp<vector>());
     reduce(speedSqr, sumOp<scalar>());
+    reduce(movedSqr, sumOp<scalar>());
 
     // The nearest rotation, by Newton's method for the polar decomposition.
     // Directions that are not solved stay as they are
@@ -163,6 +166,13 @@ void Foam::rigidRegion::fitRigid()
             turned[4*c] = size;
             own[4*c] = max(own[4*c], SMALL*mag(own) + VSMALL);
         }
+    }
+    if (!(det(turned) > 0))
+    {
+        FatalFileErrorInFunction(pointUFile_.path()/"pointD")
+            << "Keyword 'internalField': the displacements turn the rigid "
+            << "region '" << name_ << "' inside out, or flatten it"
+            << exit(FatalIOError);
     }
     tensor R(turned);
     if (max(mag(data_.state.disp)) > 0 || Pstream::parRun())
@@ -181,6 +191,19 @@ void Foam::rigidRegion::fitRigid()
     }
     rigid_->setPose(meanX + meanU - (R & meanX), R);
 
+    const auto overBody = [&](const std::function<scalar(label)>& of)
+    {
+        scalar sum = 0;
+        forAll(ownedVolume_, a) sum += ownedVolume_[a]*of(a);
+        return returnReduce(sum, sumOp<scalar>());
+    };
+    const scalar bent = overBody([&](const label a)
+    {
+        const vector r(dual_.position(a) - rigid_->start() - meanX);
+        return magSqr(r + displacement(a) - meanU - (R & r));
+    });
+    placeLost_ = bent > largestLost*(movedSqr + SMALL*size);
+
     rigidBody::motionState v;
     if (d > 1) v.spin = dual_.turning(inv(own) & momentum);
     v.velocity = meanV - (v.spin ^ (R & meanX));
@@ -189,15 +212,11 @@ void Foam::rigidRegion::fitRigid()
     // The fields may contain the prescribed motion or leave it out
     const auto lostBy = [&](const rigidBody::motionState& its)
     {
-        scalar lost = 0;
-        forAll(ownedVolume_, a)
+        return overBody([&](const label a)
         {
             const vector r(R & (dual_.position(a) - rigid_->start()));
-            lost +=
-                ownedVolume_[a]
-               *magSqr(speed(a) - its.velocity - (its.spin ^ r));
-        }
-        return returnReduce(lost, sumOp<scalar>());
+            return magSqr(speed(a) - its.velocity - (its.spin ^ r));
+        });
     };
     velocityLost_ =
         min(lostBy(rigid_->freePart(v)), lostBy(rigid_->motion(0)))
@@ -374,7 +393,14 @@ void Foam::rigidRegion::checkStart(const scalar time)
 void Foam::rigidRegion::readRigid(const dictionary& record)
 {
     if (record.size()) rigid_->read(record);
-    else if (velocityLost_)
+    else if (placeLost_)
+    {
+        WarningInFunction
+            << "Region " << name_ << ": this rigid body cannot have the "
+            << "displacements of pointD. It starts from the nearest ones that "
+            << "it can have" << endl;
+    }
+    if (record.empty() && velocityLost_)
     {
         const rigidBody::motionState v(rigid_->motion(0));
         WarningInFunction

@@ -6,6 +6,7 @@
 
 #include "regionFiles.H"
 #include "dictionaryCheck.H"
+#include "materialModel.H"
 #include "IOdictionary.H"
 #include "localIOdictionary.H"
 #include "pointFields.H"
@@ -35,6 +36,22 @@ IOobject input
 }
 
 
+//- Read a file. OpenFOAM does not say which one has a broken expression
+dictionary parsed
+(
+    const IOobject& io,
+    const std::function<dictionary(const IOobject&)>& read
+)
+{
+    dictionary dict(io.objectPath());
+    dictionaryCheck::withPlace
+    (
+        dict, "The file cannot be read", [&]() { dict = read(io); }
+    );
+    return dict;
+}
+
+
 //- Read a dictionary of the region or of the case, empty if there is no file
 dictionary readIfThere
 (
@@ -46,7 +63,13 @@ dictionary readIfThere
     IOobject io(input(name, instance, db));
     if (dictionaryCheck::isThere<IOdictionary>(io))
     {
-        dictionary dict = IOdictionary(io);
+        dictionary dict
+        (
+            parsed(io, [](const IOobject& its) -> dictionary
+            {
+                return IOdictionary(its);
+            })
+        );
         dict.remove("FoamFile");
         return dict;
     }
@@ -270,6 +293,53 @@ Foam::fileName Foam::regionFiles::sharedField
 }
 
 
+Foam::wordList Foam::regionFiles::fieldsWithout(const materialModel& law)
+{
+    wordList names;
+    if (!law.plastic())
+    {
+        names = wordList
+        ({
+            "CpInv", "elasticStrain", "epsilonPEq", "hourglassShare"
+        });
+    }
+    if (!(law.initialTemperature() > 0)) names.append(word("pointT"));
+    return names;
+}
+
+
+void Foam::regionFiles::checkFields
+(
+    const polyMesh& mesh,
+    const materialModel& law
+)
+{
+    const wordList without(fieldsWithout(law));
+    for (const keywordList::keyword& field : startFields().all)
+    {
+        IOobject io(input(field.name, mesh.time().timeName(), mesh));
+        if
+        (
+            without.found(field.name)
+         && io.typeHeaderOk<localIOdictionary>(false)
+        )
+        {
+            FatalFileErrorInFunction(io.objectPath())
+                << "The field " << field.name << " (" << field.meaning.c_str()
+                << ") does not work with type " << law.type()
+                << " of region '" << mesh.name() << "'." << nl
+                << "Remove the field"
+                <<
+                (
+                    field.deflt == "symmTensor"
+                  ? ", or give a stretch by the field F0" : ""
+                )
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
 Foam::dictionary Foam::regionFiles::readShared(const fileName& file)
 {
     autoPtr<ISstream> is(fileHandler().NewIFstream(file));
@@ -287,7 +357,13 @@ Foam::dictionary Foam::regionFiles::velocity(const polyMesh& mesh)
     if (shared == own.objectPath())
     {
         // If there is none, OpenFOAM ends with its own message
-        const localIOdictionary field(own, pointVectorField::typeName);
+        const dictionary field
+        (
+            parsed(own, [](const IOobject& its) -> dictionary
+            {
+                return localIOdictionary(its, pointVectorField::typeName);
+            })
+        );
         checkPatches(field, mesh);
         return field;
     }

@@ -22,8 +22,8 @@ Description
 namespace
 {
 
-//- Velocity that mirrors may remove at the start without a warning, over the
-//  wave speed: round-off
+//- Velocity over the wave speed, and displacement over the size of the mesh,
+//  that may be removed at the start without a warning: round-off
 constexpr Foam::scalar largestRemoved = 1e-10;
 
 } // End anonymous namespace
@@ -218,6 +218,7 @@ void Foam::solidBody::readState()
         }
     }
 
+    regionFiles::checkFields(mesh_, *material_);
     const auto lm =
         readIfPresent<vector>("lm", dimDensity*dimVelocity);
     const auto D = readIfPresent<vector>("pointD", dimLength);
@@ -231,18 +232,36 @@ void Foam::solidBody::readState()
             << "has pointD"
             << exit(FatalIOError);
     }
-    scalar lost = 0;
-    for (const vector& v : pointU_.primitiveField())
+    const auto warnLost = [&]
+    (
+        const vectorField& given,
+        const scalar scale,
+        const char* what,
+        const char* unit
+    )
     {
-        lost = max(lost, mag(v - dual_.projected(v)));
-    }
-    reduce(lost, maxOp<scalar>());
-    if (lost > largestRemoved*data_.cp)
+        scalar lost = 0;
+        for (const vector& v : given)
+        {
+            lost = max(lost, mag(v - dual_.projected(v)));
+        }
+        reduce(lost, maxOp<scalar>());
+        if (lost > largestRemoved*scale)
+        {
+            WarningInFunction
+                << "Region " << name_ << ": an initial " << what << " of up to "
+                << lost << ' ' << unit
+                << " in directions that the mesh does not solve was removed"
+                << endl;
+        }
+    };
+    warnLost(pointU_.primitiveField(), data_.cp, "velocity", "m/s");
+    if (D.valid())
     {
-        WarningInFunction
-            << "Region " << name_ << ": an initial velocity of up to " << lost
-            << " m/s in directions that the mesh does not solve was removed"
-            << endl;
+        warnLost
+        (
+            D().primitiveField(), mesh_.bounds().mag(), "displacement", "m"
+        );
     }
 
     for (label a = 0; a < n; ++a)

@@ -167,7 +167,12 @@ void Foam::contactSystem::read(const Time& runTime)
     );
     if (dictionaryCheck::isThere<IOdictionary>(contactIO))
     {
-        properties_.reset(new watchedDictionary(contactIO));
+        // OpenFOAM does not say which file has a broken expression
+        dictionaryCheck::withPlace
+        (
+            dictionary(contactIO.objectPath()), "The file cannot be read",
+            [&]() { properties_.reset(new watchedDictionary(contactIO)); }
+        );
         const dictionary& list = dictionaries();
         // General contact comes last: it leaves out pairs that have an
         // interface of their own
@@ -184,12 +189,12 @@ void Foam::contactSystem::read(const Time& runTime)
                 }
             }
         }
+        systemChecks::sameSides(list, interfaces_);
     }
     systemChecks::contactPatches
     (
         contactIO.objectPath(), bodies_, interfaces_
     );
-    systemChecks::sameSides(contactIO.objectPath(), interfaces_);
     setOpposite();
 }
 

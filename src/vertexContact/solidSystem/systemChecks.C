@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <tuple>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -287,28 +288,47 @@ void Foam::systemChecks::contactPatches
 
 void Foam::systemChecks::sameSides
 (
-    const fileName& file,
+    const dictionary& list,
     const PtrList<contactInterface>& interfaces
 )
 {
     typedef std::pair<const solidBody*, label> surface;
-    std::map<std::pair<surface, surface>, word> pairs;
+    std::map<std::tuple<surface, surface, std::string>, word> known;
     for (const contactInterface& contact : interfaces)
     {
+        if (contact.many()) continue;
         const List<contactSide> sides(contact.sides());
-        if (contact.many() || sides.size() < 2) continue;
         const surface a(sides.first().body, sides.first().patchi);
         const surface b(sides.last().body, sides.last().patchi);
-        const auto place = pairs.emplace
+
+        // A side may meet several obstacles, but each of them once
+        const bool alone = sides.size() < 2;
+        std::string obstacle;
+        if (alone)
+        {
+            const dictionary& dict = list.subDict(contact.dictName());
+            const dictionary& shape = dict.subDict("obstacle");
+            obstacle =
+                shape.digest().str()
+              + dict.subOrEmptyDict("motion").digest().str();
+
+            // A mesh without this keyword has the file of the interface's name
+            const bool mesh =
+                shape.get<word>("type").find("Mesh") != std::string::npos;
+            if (mesh && !shape.found("file")) obstacle += contact.name();
+        }
+        const auto place = known.emplace
         (
-            std::make_pair(std::min(a, b), std::max(a, b)), contact.name()
+            std::make_tuple(std::min(a, b), std::max(a, b), obstacle),
+            contact.name()
         );
         if (!place.second)
         {
-            FatalFileErrorInFunction(file)
+            FatalIOErrorInFunction(list)
                 << "Keyword 'interfaces': '" << place.first->second << "' and '"
-                << contact.name() << "' have the same 'sides', whose contact "
-                << "would count twice" << exit(FatalIOError);
+                << contact.name() << "' have the same "
+                << (alone ? "'side', 'obstacle' and 'motion'" : "'sides'")
+                << ", whose contact would count twice" << exit(FatalIOError);
         }
     }
 }

@@ -8,6 +8,7 @@
 #include "contactSurface.H"
 #include "solidBody.H"
 #include "dictionaryCheck.H"
+#include "searchablePlane.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -35,6 +36,27 @@ Foam::obstacleInterface::readSurface
             searchableSurface::dictConstructorTablePtr_->sortedToc()
         );
     }
+
+    // Where OpenFOAM would divide by zero. New spheres may have three radii
+    if (shape.found("radius") && shape.lookup("radius").size() == 1)
+    {
+        const scalar radius = shape.get<scalar>("radius");
+        dictionaryCheck::require
+        (
+            radius > 0, shape, "radius", radius, "positive"
+        );
+    }
+    if
+    (
+        shape.found("point1") && shape.found("point2")
+     && shape.get<point>("point1") == shape.get<point>("point2")
+    )
+    {
+        FatalIOErrorInFunction(shape)
+            << "Keywords 'point1' and 'point2' are both "
+            << shape.get<point>("point1") << ": they must differ"
+            << exit(FatalIOError);
+    }
     autoPtr<searchableSurface> surface;
     dictionaryCheck::withPlace
     (
@@ -51,11 +73,10 @@ Foam::obstacleInterface::readSurface
             );
         }
     );
-    const vector span(surface->bounds().span());
-    if (cmptMin(span) < 0 || cmptMax(span) <= 0)
+    if (cmptMax(surface->bounds().span()) <= 0)
     {
         FatalIOErrorInFunction(shape)
-            << "Keyword 'obstacle': this " << type << " is a point or nothing, "
+            << "Keyword 'obstacle': this " << type << " is a point, "
             << "its bounding box is " << surface->bounds()
             << exit(FatalIOError);
     }
@@ -360,6 +381,18 @@ Foam::obstacleInterface::obstacleInterface
             << "Keyword 'side': no force can move the rigid region '"
             << side_.body->name() << "' or an obstacle, so contact between "
             << "them would do nothing" << exit(FatalIOError);
+    }
+    if (isA<searchablePlane>(surface_()) && !motion_.moves())
+    {
+        const vector& n = refCast<const searchablePlane>(surface_()).normal();
+        if (mag(side_.body->dual().projected(n)) <= parallel)
+        {
+            FatalIOErrorInFunction(dict.subDict("obstacle"))
+                << "Keyword 'obstacle': the normal of this plane is " << n
+                << ", which is normal to the mesh of region '"
+                << side_.body->name() << "': they can never touch"
+                << exit(FatalIOError);
+        }
     }
 
     if (!side_.body->rigid())
