@@ -73,6 +73,9 @@ void Foam::contactSystem::setOpposite()
 
 void Foam::contactSystem::findLost()
 {
+    // The paper's interfaces do not tell what is opposite
+    if (leaping_.empty()) return;
+
     lost_.clear();
 
     // Nodes that were pressed, and are deep inside
