@@ -288,12 +288,17 @@ void variationalKernelTemplate<D, finite>::addSurfacePressure
 
 
 template<int D, bool finite>
-lanes variationalKernelTemplate<D, finite>::largestOf
-(
-    const lanes& trace,
-    const lanes& square
-)
+lanes variationalKernelTemplate<D, finite>::largestOf(const lanes* S)
 {
+    lanes trace{}, square{};
+    for (int i = 0, k = 0; i < D; ++i)
+    {
+        for (int j = i; j < D; ++j, ++k)
+        {
+            if (i == j) trace += S[k];
+            square += scalar(i == j ? 1 : 2)*S[k]*S[k];
+        }
+    }
     const lanes mean = (1.0/D)*trace;
     return
         mean
@@ -310,11 +315,10 @@ lanes variationalKernelTemplate<D, finite>::squaredFrequency
     const scalar cp
 )
 {
-    lanes most{};
-    for (int i = 0, k = 0; i < D; k += D - i, ++i) most += K[k];
+    lanes most = largestOf(K);
     if constexpr (finite && D > 1)
     {
-        // K : H^T H, H the cofactor of F
+        // H, the cofactor of F
         lanes H[D][D];
         for (int i = 0; i < D; ++i)
         {
@@ -332,17 +336,30 @@ lanes variationalKernelTemplate<D, finite>::squaredFrequency
                 }
             }
         }
-        lanes deformed{};
+
+        // The eigenvalues of H K H^T are those of K H^T H
+        lanes full[D][D], HK[D][D], S[nK];
+        for (int i = 0, k = 0; i < D; ++i)
+        {
+            for (int j = i; j < D; ++j, ++k) full[i][j] = full[j][i] = K[k];
+        }
+        for (int i = 0; i < D; ++i)
+        {
+            for (int j = 0; j < D; ++j)
+            {
+                HK[i][j] = lanes{};
+                for (int m = 0; m < D; ++m) HK[i][j] += H[i][m]*full[m][j];
+            }
+        }
         for (int i = 0, k = 0; i < D; ++i)
         {
             for (int j = i; j < D; ++j, ++k)
             {
-                lanes HH{};
-                for (int m = 0; m < D; ++m) HH += H[m][i]*H[m][j];
-                deformed += scalar(i == j ? 1 : 2)*HH*K[k];
+                S[k] = lanes{};
+                for (int m = 0; m < D; ++m) S[k] += HK[i][m]*H[j][m];
             }
         }
-        most = max(most, deformed);
+        most = max(most, largestOf(S));
     }
     return cp*cp*factor*factor*most;
 }
@@ -375,20 +392,35 @@ lanes variationalKernelTemplate<D, finite>::timeScales
       : uniform<lanes>(1);
     const lanes square = x.boundRatio*squaredFrequency(K, F, factor, d.cp);
 
-    lanes trace{}, squares{};
-    for (int i = 0, k = 0; i < D; ++i)
-    {
-        for (int j = i; j < D; ++j, ++k)
-        {
-            if (i == j) trace += waves[k];
-            squares += scalar(i == j ? 1 : 2)*waves[k]*waves[k];
-        }
-    }
     const lanes damping =
-        (0.5*x.frontEpsilon)*perV*largestOf(trace, squares);
+        (0.5*x.frontEpsilon)*perV*largestOf(waves);
     return
         (2*x.stepRatio)
        *reciprocal(squareRoot(damping*damping + square) + damping);
+}
+
+
+template<int D, bool finite>
+scalar variationalKernelTemplate<D, finite>::largestBound
+(
+    const variationalData& x
+) const
+{
+    lanes largest{};
+    const label n = x.geometricBound.size()/nK;
+    for (label first = 0; first < n; first += nLanes)
+    {
+        lanes K[nK];
+        const stridedLanes K_(nK, min(label(nLanes), n - first));
+        for (int k = 0; k < nK; ++k)
+        {
+            K[k] = K_(x.geometricBound.cdata() + first*nK + k);
+        }
+        largest = max(largest, largestOf(K));
+    }
+    scalar most = 0;
+    for (int l = 0; l < nLanes; ++l) most = max(most, largest[l]);
+    return most;
 }
 
 

@@ -114,15 +114,8 @@ void Foam::variationalScheme::boundFrequencies()
     dual_.sharing().sum(sums.data(), d + 1);
     kernel_.boundRows(data_, x_, sums, x_.geometricBound);
     dual_.sharing().sum(x_.geometricBound.data(), d*(d + 1)/2);
-    scalar largest = 0;
-    for (label a = 0; a < n; ++a)
-    {
-        const scalar* K = x_.geometricBound.cdata() + a*d*(d + 1)/2;
-        scalar trace = 0;
-        for (label i = 0, k = 0; i < d; k += d - i, ++i) trace += K[k];
-        largest = max(largest, trace);
-    }
-    reduce(largest, maxOp<scalar>());
+    const scalar largest =
+        returnReduce(kernel_.largestBound(x_), maxOp<scalar>());
 
     for (label e = 0; e < 2*dual_.nEdges(); ++e)
     {
