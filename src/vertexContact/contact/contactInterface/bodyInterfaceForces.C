@@ -38,7 +38,7 @@ void Foam::bodyInterface::findStates
         s.v = body.contact().velocityWithout(node);
         s.stretch = mag(area);
         s.n = area/s.stretch;
-        s.compliance = body.surfaceCompliance(side.patchi, k);
+        s.compliance = s.stretch*body.surfaceCompliance(side.patchi, k);
         s.inner = rim.size() && rim[k] ? 0 : 1;
         s.shared = 0;
 
@@ -161,9 +161,7 @@ void Foam::bodyInterface::findNear()
         {
             if (!at.near[l]) continue;
             near.lane[near.size] = l;
-            near.whole[near.size] =
-                0.5*(b.minus.area[l] + b.plus.area[l])*at.stretch[l]
-               *at.whole[l];
+            near.whole[near.size] = at.paired[l]*at.whole[l];
             contactLaw::problem& p = near.problems[near.size++];
             vector normal, shift(Zero);
             for (direction c = 0; c < 3; ++c)
@@ -190,7 +188,7 @@ void Foam::bodyInterface::findNear()
             p.minus.zs = M.zs;
             p.plus.zp = P.zp;
             p.plus.zs = P.zs;
-            p.area = 0.5*(b.minus.area[l] + b.plus.area[l])*at.area[l];
+            p.area = at.paired[l]*at.area[l];
             const scalar gives =
                 alike
               ? minusGives
@@ -198,7 +196,7 @@ void Foam::bodyInterface::findNear()
               + at.minusPerMass[l]/at.perMass[l]*(minusGives - plusGives);
             contactLayer(at.perMass[l]).set
             (
-                p, at.stretch[l], true, bonded, shift, deltaT, gives
+                p, true, bonded, shift, deltaT, gives
             );
             countClosing(p, b.depth[l]);
             if (!bonded) askPush(p, b.depth[l], deltaT);

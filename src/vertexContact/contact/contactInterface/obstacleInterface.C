@@ -228,13 +228,10 @@ Foam::scalar Foam::obstacleInterface::complianceAlong
     const solidBody& body = *side_.body;
     const scalar alone = body.surfaceCompliance(side_.patchi, k);
     const vector around(body.surfaceAround(side_.patchi, k));
-    if (around == vector::zero) return alone;
+    if (around == vector::zero) return stretch*alone;
 
     area *= cosine;
-    return
-        alone
-       *max((around & n)/stretch, area)
-       /body.surfaceArea(side_.patchi, k);
+    return alone*max(around & n, area)/body.surfaceArea(side_.patchi, k);
 }
 
 
@@ -257,7 +254,7 @@ void Foam::obstacleInterface::findForces()
         p.minus.v = body.contact().velocityWithout(node);
         p.minus.zp = M.zp;
         p.minus.zs = M.zs;
-        p.area = M.geometry.cornerArea[k];
+        p.area = stretch*M.geometry.cornerArea[k];
         setObstacle(i, p);
 
         const bool facing = contactOverlaps::face(area, p.n);
@@ -265,11 +262,11 @@ void Foam::obstacleInterface::findForces()
         (
             facing
           ? complianceAlong(k, p.n, (area & p.n)/stretch, stretch, p.area)
-          : body.surfaceCompliance(side_.patchi, k)
+          : stretch*body.surfaceCompliance(side_.patchi, k)
         );
         layer.set
         (
-            p, stretch, facing, law().bonded(),
+            p, facing, law().bonded(),
             remembers
           ? acousticRiemann::tangential(body.slide(node), p.n)
           : vector::zero,
