@@ -7,6 +7,7 @@ import pytest
 from vertexContactCases import prandtl
 from vertexContactCases.readResults import probe
 from vertexContactTests.caseTools import DEFAULT, Tutorial
+from vertexContactTests.smallCases import Body, SmallCase, condition
 
 
 def impulse(times, F, at):
@@ -48,3 +49,47 @@ def test_limit(run, figures, scene):
         f.atMost("residual of the energy balance / work of the force",
                  np.abs(E["total:balance"]).max()
                  / E["total:externalWork"].max(), 1e-4)
+
+
+@pytest.mark.parametrize("dimensions", (2, 3))
+def test_punch(tmp_path, figures, dimensions):
+    """A punch at a twentieth of the speed of sound flattens a plate of a few
+    cells, whose surface becomes several times as large. Contact gives no
+    energy, and results do not depend on the step."""
+    held = condition("fixedVelocity", velocity=(0, 0, 0))
+    mirrors = {"left": "symmetryPlane"}
+    plate = dict(mirrors, right=held, top="contact", bottom="slip")
+    punch = dict(mirrors, right="contact", bottom="contact")
+    if dimensions == 3:
+        mirrors["back"] = plate["back"] = punch["back"] = "symmetryPlane"
+        plate["front"], punch["front"] = held, "contact"
+    wide = 1 if dimensions == 2 else 10
+    cells = {2: (32, 4), 3: (16, 2, 14)}[dimensions]
+    flowed = {}
+    for maxCo in 0.3, 0.9:
+        case = SmallCase(
+            tmp_path/f"{maxCo}",
+            (Body(cells, "plate", (0, -1, 0),
+                  (10, 1, wide), plate,
+                  {"type": "HenckyVonMises", "rho": 1, "E": 1, "nu": 0.33,
+                   "tauY": 0.003, "Hardening": 0.003}),
+             Body((4, 12, 4)[:dimensions], "punch", (0, 0, 0),
+                  (3.3, 12, min(wide, 3.3)), punch,
+                  {"type": "neoHookean", "rho": 3, "E": 3, "nu": 0.3},
+                  velocity=(0, -0.05, 0))),
+            24, preset="fast", control={"maxCo": maxCo},
+            interfaces={"hit": {
+                "surfaces": (("plate", "top"), ("punch", '".*"')),
+                "self": "no", "law": {"type": "frictionless"}}}).run()
+        E = case.energies
+        first = E["total:kinetic"][0]
+        flowed[maxCo] = E["total:plasticDissipation"][-1]/first
+        with figures(f"punch on a plate, {dimensions}D, maxCo {maxCo}") as f:
+            f.within("work of contact / energy",
+                     E["total:contactWork"][-1]/first, 0, 1e-3)
+            f.within("residual of the energy balance / energy",
+                     E["total:balance"][-1]/first, 0, 2e-3)
+    with figures(f"punch on a plate, {dimensions}D") as f:
+        f.atLeast("plastic work / energy", flowed[0.3], 0.25)
+        f.within("the same with steps three times as long, over it",
+                 flowed[0.9]/flowed[0.3], 1, 0.02)

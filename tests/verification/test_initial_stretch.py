@@ -9,7 +9,8 @@ import pytest
 
 from vertexContactTests.caseTools import (DEFAULT, checked, contents,
                                           differingFiles)
-from vertexContactTests.smallCases import Body, SmallCase, condition, largest
+from vertexContactTests.smallCases import (Body, SmallCase, condition,
+                                           interface, largest)
 
 E, NU, RHO = 1.0, 0.3, 1.0
 MU, KAPPA = E/(2*(1 + NU)), E/(3*(1 - 2*NU))
@@ -390,3 +391,41 @@ def test_bad_dimensions(tmp_path):
     assert code != 0, output
     message = output[output.index("--> FOAM FATAL IO ERROR"):]
     assert "F0" in message and "dimensions" in message, message
+
+
+def test_stretched_surface_in_contact(tmp_path, figures):
+    """A plate without stress is meshed as it is; or as it was before it became
+    three times as wide at a third of the height. A heavier block hits it. Its
+    nodes have the mass of their present area: contact takes energy, and the
+    plate is as stiff."""
+    A, size, e = np.array((3, 1/3, 1)), np.array((1.2, 0.4, 1)), {}
+    for name in "before", "after":
+        before = name == "before"
+        height = size[1]/A[1] if before else size[1]
+        plate = Body(
+            (12, 4), "plate", (0, -height, 0), size/A if before else size,
+            dict(left="symmetryPlane", bottom="slip", top="contact"),
+            law("neoHookean"),
+            displacement=(lambda X: X*(A - 1)) if before else None)
+        block = Body(
+            (5, 5), "block", (0, 0, 0), (0.5, 0.5, 1),
+            dict(left="symmetryPlane", bottom="contact"),
+            {**law("neoHookean"), "rho": 20, "E": 20}, velocity=(0, -0.05, 0))
+        case = SmallCase(
+            tmp_path/name, (plate, block), 4, preset=DEFAULT,
+            control={"maxCo": 0.9},
+            interfaces={"hit": interface(("plate", "top"), ("block", "bottom"),
+                                         pairing="nearestFace")})
+        if before:
+            stretch(case, plate, np.diag(1/A))
+        e[name] = case.run().energies
+    first = e["after"]["total:kinetic"][0]
+    with figures("a plate meshed before and after a stretch, in contact") as f:
+        f.within("largest strain energy, before / after",
+                 e["before"]["total:strain"].max()
+                 / e["after"]["total:strain"].max(), 1, 0.02)
+        for name, its in e.items():
+            f.atMost(f"{name}: work of contact / energy",
+                     its["total:contactWork"].max()/first, 1e-3)
+            f.atLeast(f"{name}: the same at the end",
+                      its["total:contactWork"][-1]/first, -0.05)
