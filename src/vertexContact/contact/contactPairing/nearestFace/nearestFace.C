@@ -37,9 +37,12 @@ constexpr scalar leastOfMean = -0.5;
 
 //- For one body, distances of nodes over the face width: up to which they are
 //  the same node, and up to which faces that do not face each other are
-//  neighbours across an edge of the body (beyond it the next faces begin)
+//  neighbours across an edge of the body (beyond it the next faces begin).
+//  Equal cells have distances of just these multiples: round-off must not
+//  decide there, so they count as beyond
 constexpr scalar sameNode = 1e-6;
 constexpr scalar neighbours = 2;
+constexpr scalar justBelow = 1 - sameNode;
 
 //- A face is so far behind another one that they cannot meet, as the sides of a
 //  plate of two cells. Round-off cases are left to opposed()
@@ -112,12 +115,12 @@ bool mayEverMeet(const contactFace& a, const contactFace& b)
     if
     (
         opposite && along < 0
-     && mag(between - along*a.N) < radius + otherRadius
+     && mag(between - along*a.N) < justBelow*(radius + otherRadius)
     )
     {
         return false;
     }
-    return closest >= neighbours*width || faced;
+    return closest >= justBelow*neighbours*width || faced;
 }
 
 //- Faces that may never meet since they are neighbours, judged by their
@@ -131,7 +134,7 @@ bool areNeighbours
     return
         (a.N & b.N) >= leastOfMean
      && magSqr(b.C - a.C) + sqr(a.R) + sqr(b.R)
-      < sqr(0.5*neighbours*(a.width + b.width));
+      < sqr(0.5*justBelow*neighbours*(a.width + b.width));
 }
 
 pointField centresOf(const UList<contactSurface::outline>& outlines)
