@@ -324,6 +324,57 @@ def test_moved_plate_is_as_an_obstacle(tmp_path, figures, motion):
             force[0][:n] - force[1][:n])/largest(force[1]), 5e-3)
 
 
+def test_squeezed_pad(tmp_path, figures):
+    """A rubber pad between two plates, without friction. It stretches along
+    them, and vibrates. Contact does no work, as between obstacles: each node
+    gets the force of its own stretched area. With the mean stretch of both
+    sides, contact gave it a tenth of its energy."""
+    time, deep = 400, 0.05
+    motion = {"displacement": table((0, (0, 0, 0)), (0.75*time, (0, -deep, 0)),
+                                    (2*time, (0, -deep, 0)))}
+    means = {}
+    with figures("a pad between plates") as f:
+        for kind in "regions", "obstacles":
+            bodies = [Body((40, 4), name="pad", start=(-5, 0, 0),
+                           size=(10, 1, 1), material={**RUBBER, "nu": 0.46},
+                           sides={"bottom": "contact", "top": "contact"})]
+            roof = {**FLOOR, "pointAndNormalDict": {"point": (0, 1, 0),
+                                                    "normal": (0, -1, 0)}}
+            law = {"law": {"type": "frictionless"}}
+            interfaces = {
+                "low": {"side": ("pad", "bottom"), "obstacle": FLOOR, **law},
+                "high": {"side": ("pad", "top"), "obstacle": roof,
+                         "motion": motion, **law}}
+            if kind == "regions":
+                bodies += [
+                    Body((16, 1), name="base", start=(-8, -1, 0),
+                         size=(16, 1, 1), sides={"top": "contact"},
+                         material=rigid(freeTranslation=(), freeRotation=())),
+                    Body((16, 1), name="plate", start=(-8, 1, 0),
+                         size=(16, 1, 1), sides={"bottom": "contact"},
+                         material=rigid(motion=motion),
+                         velocity=(0, -deep/(0.75*time), 0))]
+                interfaces = {
+                    "low": interface(("pad", "bottom"), ("base", "top"),
+                                     pairing="nearestFace"),
+                    "high": interface(("pad", "top"), ("plate", "bottom"),
+                                      pairing="nearestFace")}
+            case = SmallCase(tmp_path/kind, bodies, time, interfaces,
+                             functions=("contactForces",), preset=DEFAULT,
+                             control={"maxCo": 0.9}).run()
+            contact = case.contact("high")
+            force = -contact["pad.top:Fy"][contact["Time"] > 0.9*time]
+            means[kind] = force.mean()
+            f.atMost(f"{kind}: scatter of the force / mean",
+                     force.std()/force.mean(), 0.05)
+            if kind == "regions":
+                f.atMost("work of contact / strain energy",
+                         largest(case.energies["total:contactWork"])
+                         / case.energies["total:strain"][-1], 1e-3)
+        f.within("force / that between obstacles",
+                 means["regions"]/means["obstacles"], 1, 1e-3)
+
+
 SWINGING = {
     "displacement": {"displacement": "sine", "displacementCoeffs": {
         "frequency": 100, "amplitude": 1, "scale": (0, 0.001, 0),
