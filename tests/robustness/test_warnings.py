@@ -197,7 +197,7 @@ def test_pad_bends_round_an_edge(tmp_path, ranks, sides, passes):
              dict(bottom="contact", top=press, **both),
              dict(foam, rho=90, E=3e5, nu=0.1))]
     case = SmallCase(
-        tmp_path, bodies, 0.12, preset=DEFAULT,
+        tmp_path, bodies, 0.14, preset=DEFAULT,
         control={"damping": {'".*"': {"coefficient": 30}}},
         interfaces={"press": {"surfaces": "all", "self": "no"}})
     code, log = case.attempt(ranks)

@@ -13,6 +13,7 @@ Description
 #include "dictionaryCheck.H"
 #include "emptyPolyPatch.H"
 #include "fileError.H"
+#include "OStringStream.H"
 #include "passTimes.H"
 #include "patchRim.H"
 #include "processorPolyPatch.H"
@@ -270,6 +271,15 @@ Foam::labelList Foam::solidBody::pressedInside(const scalar share) const
         }
     }
     return nodes;
+}
+
+
+Foam::string Foam::solidBody::whereIs(const label node) const
+{
+    OStringStream os;
+    os  << "node at " << meshPoint(node) << " (reference) " << position(node)
+        << " (current)";
+    return os.str();
 }
 
 

@@ -71,19 +71,19 @@ void Foam::contactSystem::setOpposite()
 }
 
 
-void Foam::contactSystem::findLost()
+void Foam::contactSystem::findUnopposed()
 {
     // The paper's interfaces do not tell what is opposite
     if (leaping_.empty()) return;
 
-    lost_.clear();
+    unopposed_.clear();
 
     // Nodes that were pressed, and are deep inside
     List<labelList> inside(bodies_.size());
     bool any = false;
     forAll(bodies_, i)
     {
-        inside[i] = bodies_[i].pressedInside(contactInterface::leftDepth);
+        inside[i] = bodies_[i].pressedInside(contactInterface::deepInside);
         any = any || inside[i].size();
     }
     if (!returnReduce(any, orOp<bool>())) return;
@@ -113,14 +113,13 @@ void Foam::contactSystem::findLost()
         bodies_[i].dual().sharing().sum(opposite[i].data(), 1);
         for (const label a : inside[i])
         {
-            if (opposite[i][a] > 0 || lost_.size()) continue;
+            if (opposite[i][a] > 0 || unopposed_.size()) continue;
             OStringStream os;
-            os  << "region " << bodies_[i].name() << ", node at "
-                << bodies_[i].meshPoint(a) << " (reference) "
-                << bodies_[i].position(a) << " (current), was pressed, "
+            os  << "region " << bodies_[i].name() << ", "
+                << bodies_[i].whereIs(a).c_str() << ", was pressed, "
                 << -bodies_[i].contact().gap[a]
                 << " m inside, and has nothing opposite any more";
-            lost_ = os.str();
+            unopposed_ = os.str();
         }
     }
 }
@@ -279,7 +278,7 @@ void Foam::contactSystem::pair(const scalar time, const bool all)
     }
     nPairings_ += found;
     setOpposite();
-    if (found) findLost();
+    if (found) findUnopposed();
 }
 
 
@@ -330,10 +329,10 @@ Foam::contactSystem::findings Foam::contactSystem::look
 {
     const stopwatch watch(pairingSeconds_);
     findings found;
-    found.lost = lost_;
+    found.failure = unopposed_;
     for (contactInterface& contact : interfaces_)
     {
-        if (found.lost.empty()) found.lost = contact.lost();
+        if (found.failure.empty()) found.failure = contact.passed();
         if (pairings && contact.moves() && contact.outdated(time))
         {
             found.outdated = true;

@@ -5,7 +5,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "nodeMessage.H"
-#include "OStringStream.H"
 
 // * * * * * * * * * * * * * * * * Functions * * * * * * * * * * * * * * * * //
 
@@ -20,11 +19,7 @@ Foam::string Foam::nodeMessage::here
         const label node = find(body);
         if (node >= 0)
         {
-            OStringStream os;
-            os  << "region " << body.name() << ", node at "
-                << body.meshPoint(node)
-                << " (reference) " << body.position(node) << " (current)";
-            return os.str();
+            return "region " + body.name() + ", " + body.whereIs(node);
         }
     }
     return string();

@@ -118,7 +118,7 @@ void Foam::solidSystem::settle(const label nBad)
         (
             vector
             (
-                nBad + wrongNode_.size() + found.lost.size(),
+                nBad + wrongNode_.size() + found.failure.size(),
                 found.outdated, signals_.take()
             ),
             sumOp<vector>()
@@ -126,7 +126,7 @@ void Foam::solidSystem::settle(const label nBad)
     );
     if (all.x() > 0)
     {
-        const string where = nodeMessage::firstOf(found.lost);
+        const string where = nodeMessage::firstOf(found.failure);
         if (where.size())
         {
             stopOnLostContact(where);

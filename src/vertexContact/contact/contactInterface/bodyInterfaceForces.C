@@ -201,10 +201,10 @@ void Foam::bodyInterface::findNear()
             countClosing(p, b.depth[l]);
             if (!bonded) askPush(p, b.depth[l], deltaT);
             tellGap(b, l, p.gap);
-            lose
+            checkPassed
             (
                 closed_[slot], minus_, minusCorners_[slot], p.gap,
-                lostDepth*b.depth[l], b.depth[l]
+                passedDepth*b.depth[l], b.depth[l]
             );
         }
     }

@@ -156,7 +156,7 @@ Foam::contactAnswer Foam::contactInterface::answer
 }
 
 
-void Foam::contactInterface::tellLost
+void Foam::contactInterface::tellPassed
 (
     const contactSide& side,
     const label corner,
@@ -164,20 +164,18 @@ void Foam::contactInterface::tellLost
     const scalar depth
 )
 {
-    if (lost_.size() || law_->bonded())
+    if (passed_.size() || law_->bonded())
     {
         return;
     }
     const solidBody& body = *side.body;
-    const label node = side.geometry().cornerNode[corner];
     OStringStream os;
     os  << "interface " << name_ << ", region " << body.name() << ", patch "
-        << side.patchName << ", node at "
-        << body.meshPoint(node)
-        << " (reference) " << body.position(node) << " (current), is "
-        << penetration << " m inside, and its cell is " << depth
+        << side.patchName << ", "
+        << body.whereIs(side.geometry().cornerNode[corner]).c_str()
+        << ", is " << penetration << " m inside, and its cell is " << depth
         << " m thick";
-    lost_ = os.str();
+    passed_ = os.str();
 }
 
 

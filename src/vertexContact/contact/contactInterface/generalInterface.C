@@ -120,7 +120,7 @@ void Foam::generalInterface::collect()
         statistics_.nOpen += s.nOpen;
         statistics_.nStick += s.nStick;
         statistics_.nSlip += s.nSlip;
-        if (lost_.empty() && part->lost().size()) lost_ = part->lost();
+        if (passed_.empty() && part->passed().size()) passed_ = part->passed();
     }
 }
 

@@ -274,7 +274,7 @@ void Foam::obstacleInterface::findForces()
         );
         countClosing(p, depth[k]);
         if (!law().bonded()) askPush(p, depth[k], deltaT);
-        lose(closed_[i], side_, k, p.gap, depth[k], depth[k]);
+        checkPassed(closed_[i], side_, k, p.gap, depth[k], depth[k]);
     }
 }
 
@@ -515,7 +515,7 @@ bool Foam::obstacleInterface::update(const scalar time, const bool)
             // Points beside the rim of an open surface are not inside
             const scalar beside =
                 mag(x[k] - hits[k].hitPoint() - gap*normals[k]);
-            lose
+            checkPassed
             (
                 contact.touches(patch.cornerNode[k]) && beside <= depth[k],
                 side_, k, gap, depth[k], depth[k]

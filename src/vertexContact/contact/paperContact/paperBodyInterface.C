@@ -83,10 +83,10 @@ void Foam::paperBodyInterface::setProblems()
             (
                 p, at.opposed, closed_[o], closingGap, over.depth
             );
-        lose
+        checkPassed
         (
             closed_[o] && at.opposed, minus_, minusCorners_[o], p.gap,
-            lostDepth*over.depth, over.depth
+            passedDepth*over.depth, over.depth
         );
     }
 }

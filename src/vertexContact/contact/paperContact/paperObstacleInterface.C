@@ -33,7 +33,7 @@ void Foam::paperObstacleInterface::findForces()
                 p, contactOverlaps::face(M.n[k], p.n), closed_[i], closingGap,
                 0.5*depth[k]
             );
-        lose(closed_[i], side_, k, p.gap, depth[k], depth[k]);
+        checkPassed(closed_[i], side_, k, p.gap, depth[k], depth[k]);
     }
 }
 
