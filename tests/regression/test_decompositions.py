@@ -55,10 +55,12 @@ def test_decompositions(run, tmp_path, figures, scene):
                     if error >= worst:
                         worst, where = error, f"{region} {file.name}"
             # Spheres that begin to touch amplify round-off: 4e-10, and in
-            # other machine code 1.1e-9
+            # other machine code 1.1e-9. Accelerations of the slow ironing are
+            # small differences of forces: 1.1e-10
             amplified = 1e-8 if "VERTEXCONTACT_SANITIZE" in os.environ else 1e-9
             f.atMost(f"largest difference / largest value, {where}", worst,
-                     amplified if scene.path == "newtonsCradle" else 1e-10)
+                     {"newtonsCradle": amplified,
+                      "shallowIroning": 2e-10}.get(scene.path, 1e-10))
         shutil.rmtree(case.path)
 
 
