@@ -57,6 +57,7 @@ void Foam::variationalBody::startBlock()
 {
     if (!block_.valid()) block_.reset(new stepBlock);
     stepBlock& b = *block_;
+    ++b.number;
     b.inside = contact_.on();
     b.elapsed = 0;
     if (!contact_.on()) return;
@@ -64,12 +65,14 @@ void Foam::variationalBody::startBlock()
     const label d = dual_.nDim();
     b.impulse.setSize(dual_.nNodes()*d);
     b.path.setSize(dual_.nNodes()*d);
+    b.mean.setSize(dual_.nNodes()*d);
     b.startDisp.setSize(contact_.nodes().size()*d);
     contact_.forComponents([&](const label k, const label a, const label i)
     {
         b.startDisp[k*d + i] = data_.state.disp[a*d + i];
         b.impulse[a*d + i] = 0;
-        b.path[a*d + i] = data_.state.lm[a*d + i]/data_.rho;
+        b.path[a*d + i] = b.mean[a*d + i] =
+            data_.state.lm[a*d + i]/data_.rho;
     });
 }
 
@@ -79,22 +82,10 @@ void Foam::variationalBody::placeSurface(const scalar time)
     if (!contact_.on()) return;
     stepBlock& b = *block_;
     const label d = dual_.nDim();
-    if (b.elapsed > 0)
-    {
-        contact_.forComponents([&](label, const label a, const label i)
-        {
-            work_[a*d + i] = b.impulse[a*d + i]/b.elapsed;
-        });
-        contact_.complete(work_);
-    }
     contact_.forComponents([&](const label k, const label a, const label i)
     {
-        const scalar rate = data_.rates[a*data_.strideRates + i];
         const scalar v = data_.state.lm[a*d + i]/data_.rho;
-        b.path[a*d + i] =
-            b.elapsed > 0
-          ? v + contact_.ahead()/data_.rho*(rate + work_[a*d + i])
-          : v;
+        b.path[a*d + i] = b.mean[a*d + i];
         data_.state.disp[a*d + i] =
             b.startDisp[k*d + i] - 0.5*lastStep_*v + time*b.path[a*d + i];
     });
@@ -113,13 +104,32 @@ void Foam::variationalBody::putSurfaceBack()
 }
 
 
-void Foam::variationalBody::addContactImpulse(const scalar deltaT)
+void Foam::variationalBody::addContactImpulse
+(
+    const scalar deltaT,
+    const scalar block
+)
 {
-    block_->elapsed += deltaT;
+    stepBlock& b = *block_;
+    b.elapsed += deltaT;
+    if (!contact_.on()) return;
+
     const label d = dual_.nDim();
     contact_.forComponents([&](label, const label a, const label i)
     {
-        block_->impulse[a*d + i] += deltaT*contact_.forces()[a*d + i];
+        b.impulse[a*d + i] += deltaT*contact_.forces()[a*d + i];
+        work_[a*d + i] = b.impulse[a*d + i]/b.elapsed;
+    });
+    contact_.complete(work_);
+
+    // As leap() finds it
+    const scalar T = damping_.valid() ? damping_->tanhOf(block) : 0;
+    contact_.forComponents([&](label, const label a, const label i)
+    {
+        const scalar force =
+            data_.rates[a*data_.strideRates + i] + work_[a*d + i];
+        b.mean[a*d + i] =
+            (data_.state.lm[a*d + i] + 0.5*block*force)/(data_.rho*(1 + T));
     });
 }
 

@@ -203,7 +203,7 @@ Foam::symmTensor Foam::solidBody::CauchyStress(const label node) const
 Foam::vector Foam::solidBody::stepVelocity(const label node) const
 {
     const label d = dual_.nDim();
-    if (block_.valid() && block_->inside)
+    if (inBlock())
     {
         return expand(block_->path.cdata() + d*node);
     }
@@ -214,7 +214,10 @@ Foam::vector Foam::solidBody::stepVelocity(const label node) const
 Foam::vector Foam::solidBody::meanStepVelocity(const label node) const
 {
     const label d = dual_.nDim();
-    if (block_.valid() && block_->inside) return stepVelocity(node);
+    if (inBlock())
+    {
+        return expand(block_->mean.cdata() + dual_.nDim()*node);
+    }
     return
         0.5
        *(stepVelocity(node) + expand(data_.old.lm.cdata() + d*node)/data_.rho);

@@ -316,7 +316,7 @@ Foam::label Foam::subCycling::leap
         {
             if (length[i] > 1)
             {
-                deforming_[i].addContactImpulse(kick);
+                deforming_[i].addContactImpulse(kick, blocks[i]);
             }
             else
             {

@@ -522,21 +522,19 @@ Foam::scalar Foam::bodyInterface::taken
     const contactSide& side,
     const labelList& corners,
     const UList<nodeAnswer>& told,
-    const scalar middle
+    const scalar middle,
+    blockWork& works
 )
 {
     const solidBody& body = *side.body;
     const labelList& node = side.geometry().cornerNode;
-    scalar power = 0;
+    const scalar counted = works.start(body, corners.size());
     forAll(corners, i)
     {
-        const vector& f = told[i].nodeForce;
-        if (f != vector::zero)
-        {
-            power += f & body.meanStepVelocity(node[corners[i]]);
-        }
+        works.add(body, i, node[corners[i]], middle*told[i].nodeForce);
     }
-    return -middle*power;
+    const auto nodeOf = [&](const label i) { return node[corners[i]]; };
+    return counted - works.find(body, nodeOf);
 }
 
 
@@ -630,8 +628,15 @@ void Foam::bodyInterface::take
     {
         bodyInterface& p = *pair;
         p.account_.taken +=
-            taken(p.minus_, p.minusCorners_, p.toMinus_, middle)
-          + taken(p.plus_, p.pairing_->plusCorners(), p.toOwn_, middle);
+            taken
+            (
+                p.minus_, p.minusCorners_, p.toMinus_, middle, p.minusWork_
+            )
+          + taken
+            (
+                p.plus_, p.pairing_->plusCorners(), p.toOwn_, middle,
+                p.plusWork_
+            );
     }
 }
 

@@ -651,14 +651,18 @@ void Foam::obstacleInterface::slide(const scalar middle, const scalar deltaT)
         end = motion_.poseAt(forceTime_ + deltaT);
     }
     const labelList& cornerNode = side_.geometry().cornerNode;
+    account_.taken += work_.start(body, cornerNode.size());
     forAll(planes_, i)
     {
         const contactLaw::problem& p = problems_[i];
         if (p.result.state == acousticRiemann::status::open) continue;
 
-        const label node = cornerNode[planes_[i].corner];
+        const label corner = planes_[i].corner;
+        const label node = cornerNode[corner];
+        const vector impulse(middle*p.area*p.result.t);
+        work_.add(body, corner, node, impulse);
+        account_.taken += impulse & p.plus.v;
         const vector mean(p.plus.v - body.meanStepVelocity(node));
-        account_.taken += middle*p.area*(p.result.t & mean);
         if (law().sticks()) sumFriction(p, mean, middle);
         if (!remembers) continue;
 
@@ -671,6 +675,8 @@ void Foam::obstacleInterface::slide(const scalar middle, const scalar deltaT)
             node, slideBy(p, v - body.stepVelocity(node), deltaT)
         );
     }
+    account_.taken -=
+        work_.find(body, [&](const label i) { return cornerNode[i]; });
 }
 
 
