@@ -132,6 +132,10 @@ def test_sudden_load_for_long(tmp_path, figures, law, change):
     least = np.minimum.accumulate(own)
     force = -case.contact("bars")["soft.right:Fx"][half:]
     work = e["total:contactWork"]
+    record = (case/case.last/"uniform"/"solidSystem").read_text()
+    taken, given = (
+        sum(float(x) for x in re.findall(rf"\b{name}\s+(\S+);", record))
+        for name in ("taken", "contactWork"))
     with figures(f"plate on a column, {law}, 1e5 common steps") as f:
         f.atLeast("short steps in a common one", float(re.search(
             r"now: soft 1 stiff (\d+)", case.output)[1]), 10)
@@ -142,6 +146,8 @@ def test_sudden_load_for_long(tmp_path, figures, law, change):
                  max(own[half:])/strain, -0.8)
         f.atMost("work of contact in the second half / strain energy",
                  (work[-1] - work[half])/strain, 0)
+        f.atMost("energy that contact believes to have taken, error",
+                 abs(taken + given)/strain, 1e-9)
         f.within("force, mean of the second half / weight",
                  np.mean(force)/weight, 1, 0.01)
         f.atMost("scatter of the force at the end / weight",
