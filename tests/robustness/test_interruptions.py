@@ -332,8 +332,9 @@ def test_signals(straight, tmp_path, figures, which, ends, ranks):
     folder = rankFolders(ranks)[0]
     odd = [t for t in timeFolders(case/folder)
            if abs(10*float(t) - round(10*float(t))) > 1e-6]
-    if not odd and tmp_path.name != "again":
-        # The signal came in a step that ends at a write time
+    if not odd and tmp_path.parts.count("again") < 5:
+        # The signal came in a step that ends at a write time. There are some
+        # steps between these times: it may do so twice
         test_signals(straight, tmp_path/"again", figures, which, ends, ranks)
         return
     with figures(f"{which.name}, {ranks} ranks") as f:
