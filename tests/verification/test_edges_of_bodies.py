@@ -6,8 +6,8 @@ import pytest
 
 from vertexContactTests.caseTools import DEFAULT
 from vertexContactTests.smallCases import (ELASTIC, FLOOR, RUBBER, SIDES, Body,
-                                           SmallCase, condition, interface,
-                                           largest, turned)
+                                           OnePatch, SmallCase, condition,
+                                           interface, largest, turned)
 
 
 def onto(direction):
@@ -234,25 +234,6 @@ def test_corners_that_have_passed_do_not_pull(tmp_path, figures):
         f.atLeast("least area of a pair that touches [m2]",
                   case.contact("all")["area"].min(), 0)
         f.atLeast("largest loss of energy / initial", 1 - E.min()/E[0], 0.1)
-
-
-class OnePatch(Body):
-    """A block whose sides are one patch, as in most meshes."""
-
-    @property
-    def patches(self):
-        return ("outer", *list(SIDES)[2*self.dimensions:])
-
-    def condition(self, side):
-        return condition("contact") if side == "outer" \
-            else super().condition(side)
-
-    def mesh(self):
-        outer = " ".join(f"({face})" for direction, face in SIDES.values()
-                         if direction < self.dimensions)
-        faces = {side: f"(({SIDES[side][1]}))" for side in self.patches[1:]}
-        return {**super().mesh(), "boundary": self.boundary(
-            {"outer": f"({outer})", **faces})}
 
 
 def thrown(seed, nDim, kind=Body):

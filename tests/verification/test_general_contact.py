@@ -3,8 +3,6 @@ order of the bodies, number of ranks, and restart. Laws by pair, and refused
 input."""
 
 import shutil
-from dataclasses import dataclass
-from typing import Callable
 
 import numpy as np
 import pytest
@@ -12,7 +10,7 @@ import pytest
 from vertexContactTests.caseTools import checked, differingFiles, runAgain
 from vertexContactTests.contactScenes import (END, PLACES, difference, solve,
                                               solveOn, squares)
-from vertexContactTests.smallCases import (Body, SmallCase, condition, coulomb,
+from vertexContactTests.smallCases import (OnePatch, SmallCase, coulomb,
                                            interface, largest, turned)
 
 NAMED = {
@@ -358,26 +356,6 @@ def test_superposed_velocity(tmp_path, figures, entry):
                  abs(strain[1]/strain[0] - 1), 1e-9)
 
 
-@dataclass
-class Skinned(Body):
-    """A block with one patch all around, put somewhere."""
-
-    place: Callable | None = None
-
-    patches = ("skin",)
-
-    def mesh(self):
-        mesh = super().mesh()
-        return {**mesh, "vertices": self.place(mesh["vertices"])}
-
-    def condition(self, side):
-        return condition("contact")
-
-    def boundary(self, faces):
-        return super().boundary({"skin": "(" + " ".join(
-            face[1:-1] for face in faces.values()) + ")"})
-
-
 def test_turned(tmp_path, figures):
     """A cube falls on its corner. Turned by right angles and moved elsewhere,
     the scene is the same: round-off does not decide which faces of a body may
@@ -397,11 +375,11 @@ def test_turned(tmp_path, figures):
             return turn(X) + shift
 
         bodies = [
-            Skinned((6, 6, 6), name="cube", size=(0.04, 0.04, 0.04),
-                    material=soft, velocity=tuple(turn(np.array((0, 0, -2)))),
-                    place=lambda X, place=place: place(tilted(X))),
-            Skinned((10, 10, 3), name="slab", start=(-0.05, -0.05, -0.02),
-                    size=(0.1, 0.1, 0.02), material=stiff, place=place)]
+            OnePatch((6, 6, 6), name="cube", size=(0.04, 0.04, 0.04),
+                     material=soft, velocity=tuple(turn(np.array((0, 0, -2)))),
+                     moved=lambda X, place=place: place(tilted(X))),
+            OnePatch((10, 10, 3), name="slab", start=(-0.05, -0.05, -0.02),
+                     size=(0.1, 0.1, 0.02), material=stiff, moved=place)]
         c = SmallCase(tmp_path/f"{turns}", bodies, 0.012, RUBBING,
                       preset="balanced",
                       control={"maxCo": 0.9, "writeInterval": 0.004}).run()

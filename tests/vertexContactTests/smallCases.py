@@ -212,6 +212,25 @@ def distorted(amplitude, size=(1, 1, 1), dimensions=3, start=(0, 0, 0)):
     return move
 
 
+class OnePatch(Body):
+    """A block whose sides are one patch, as in most meshes."""
+
+    @property
+    def patches(self):
+        return ("outer", *list(SIDES)[2*self.dimensions:])
+
+    def condition(self, side):
+        return condition("contact") if side == "outer" \
+            else super().condition(side)
+
+    def mesh(self):
+        outer = " ".join(f"({face})" for direction, face in SIDES.values()
+                         if direction < self.dimensions)
+        faces = {side: f"(({SIDES[side][1]}))" for side in self.patches[1:]}
+        return {**super().mesh(), "boundary": self.boundary(
+            {"outer": f"({outer})", **faces})}
+
+
 class SmallCase(Case):
     """A case folder made of bodies and interfaces."""
 

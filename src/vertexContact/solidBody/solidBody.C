@@ -216,7 +216,7 @@ Foam::vector Foam::solidBody::meanStepVelocity(const label node) const
     const label d = dual_.nDim();
     if (inBlock())
     {
-        return expand(block_->mean.cdata() + dual_.nDim()*node);
+        return expand(block_->mean.cdata() + d*node);
     }
     return
         0.5

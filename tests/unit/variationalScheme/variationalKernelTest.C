@@ -161,6 +161,60 @@ struct scheme
         return widest;
     }
 
+    //- Set W to the stress of pressure and shear waves, if the body was
+    //  stretched along the axes before, with the same volume: the cofactor H is
+    //  one over the stretch
+    template<class Stretch>
+    void isotropicStress(const Stretch& stretch)
+    {
+        const scalar mu = d.rho*sqr(d.cs);
+        const scalar lambda = d.rho*sqr(d.cp) - 2*mu;
+        for (label a = 0; a < n; ++a)
+        {
+            const scalar* F = d.state.F.cdata() + a*nDim*nDim;
+            const auto change = [&](const label i, const label j)
+            {
+                return
+                    (F[i*nDim + j] - (i == j ? stretch(i) : 0))/stretch(j);
+            };
+            scalar trace = 0;
+            for (label i = 0; i < nDim; ++i) trace += change(i, i);
+            scalar* P = d.W.data() + a*d.strideW + d.offsetP();
+            for (label i = 0; i < nDim; ++i)
+            {
+                for (label j = 0; j < nDim; ++j)
+                {
+                    P[j*nDim + i] =
+                        (
+                            mu*(change(i, j) + change(j, i))
+                          + (i == j ? lambda*trace : 0)
+                        )
+                       /stretch(j);
+                }
+            }
+        }
+    }
+
+    //- By the power method, from a random start
+    template<class Operator>
+    scalar largestEigenvalue
+    (
+        const Operator& apply,
+        const unsigned seed,
+        const label nSteps
+    ) const
+    {
+        scalarField u(random(seed, 1));
+        scalar quotient = 0;
+        for (label k = 0; k < nSteps; ++k)
+        {
+            const scalarField y(apply(u));
+            quotient = product(y, u)/product(u, u);
+            u = y/std::sqrt(product(y, y));
+        }
+        return quotient;
+    }
+
     //- Force per volume at the nodes from the stress in W, as deformed
     scalarField forces()
     {
@@ -519,15 +573,13 @@ TEST_CASE("step limit of stiffness and dissipation", "[variational][serial]")
 {
     onAllMeshes([](scheme& s)
     {
-        const label d = s.nDim, at = s.d.offsetP();
+        const label d = s.nDim;
         if (d > 1) s.x.jumpModulus = 0.3;
         const symmetryConstraint symmetry(s.dual, labelList());
         const scalar tau = stepLimit(s.d, s.x, symmetry).step();
 
         // tau/2 C + tau^2/4 K of the kernel itself, at fronts everywhere
         constexpr scalar small = 1e-6;
-        const scalar mu = s.d.rho*sqr(s.d.cs);
-        const scalar lambda = s.d.rho*sqr(s.d.cp) - 2*mu;
         const auto apply = [&](const scalarField& u)
         {
             forAll(u, k)
@@ -544,31 +596,13 @@ TEST_CASE("step limit of stiffness and dissipation", "[variational][serial]")
                 sensor[0] = 1e3;
                 sensor[1] = 0;
                 sensor[2] = 1e30;
-                const scalar* F = s.d.state.F.cdata() + a*d*d;
-                scalar trace = 0;
-                for (label i = 0; i < d; ++i) trace += F[i*d + i] - 1;
-                for (label i = 0; i < d; ++i)
-                {
-                    for (label j = 0; j < d; ++j)
-                    {
-                        s.d.W[a*s.d.strideW + at + j*d + i] =
-                            mu*(F[i*d + j] + F[j*d + i] - 2*(i == j))
-                          + (i == j ? lambda*trace : 0);
-                    }
-                }
             }
+            s.isotropicStress([](const label) { return 1; });
             scalarField y(s.forces());
             y *= -1/(small*s.d.rho);
             return y;
         };
-        scalarField u(s.random(11, 1));
-        scalar quotient = 0;
-        for (label k = 0; k < 400; ++k)
-        {
-            const scalarField y(apply(u));
-            quotient = s.product(y, u)/s.product(u, u);
-            u = y/std::sqrt(s.product(y, y));
-        }
+        const scalar quotient = s.largestEigenvalue(apply, 11, 400);
         CHECK(quotient > 0.96);
         CHECK(quotient < 1.01);
     });
@@ -579,7 +613,7 @@ TEST_CASE("bound of the step of flattened cells", "[variational][serial]")
 {
     onAllMeshes([](scheme& s)
     {
-        const label d = s.nDim, n = s.n, at = s.d.offsetP();
+        const label d = s.nDim, n = s.n;
         if (d == 1) return;
 
         // As variationalScheme, but for the dissipation
@@ -620,51 +654,18 @@ TEST_CASE("bound of the step of flattened cells", "[variational][serial]")
                 step = min(step, s.kernel->timeScale(s.d, s.x, a));
             }
 
-            // Stiffness of pressure and shear waves in the flattened body,
-            // whose volume is as before: H is one over the stretch
+            // Stiffness of the flattened body
             constexpr scalar small = 1e-6;
-            const scalar mu = s.d.rho*sqr(s.d.cs);
-            const scalar lambda = s.d.rho*sqr(s.d.cp) - 2*mu;
             const auto apply = [&](scalarField u)
             {
                 u *= small;
                 displace(u);
-                for (label a = 0; a < n; ++a)
-                {
-                    const scalar* F = s.d.state.F.cdata() + a*d*d;
-                    const auto change = [&](const label i, const label j)
-                    {
-                        return
-                            (F[i*d + j] - (i == j ? stretch(i) : 0))
-                           /stretch(j);
-                    };
-                    scalar trace = 0;
-                    for (label i = 0; i < d; ++i) trace += change(i, i);
-                    for (label i = 0; i < d; ++i)
-                    {
-                        for (label j = 0; j < d; ++j)
-                        {
-                            s.d.W[a*s.d.strideW + at + j*d + i] =
-                                (
-                                    mu*(change(i, j) + change(j, i))
-                                  + (i == j ? lambda*trace : 0)
-                                )
-                               /stretch(j);
-                        }
-                    }
-                }
+                s.isotropicStress(stretch);
                 scalarField y(s.forces());
                 y *= -1/(small*s.d.rho);
                 return y;
             };
-            scalarField u(s.random(12, 1));
-            scalar quotient = 0;
-            for (label k = 0; k < 200; ++k)
-            {
-                const scalarField y(apply(u));
-                quotient = s.product(y, u)/s.product(u, u);
-                u = y/std::sqrt(s.product(y, y));
-            }
+            const scalar quotient = s.largestEigenvalue(apply, 12, 200);
 
             // Of distorted cells. The trace in place of the largest eigenvalue
             // gives up to 1.2 and 1.29

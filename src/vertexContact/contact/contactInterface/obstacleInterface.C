@@ -662,8 +662,10 @@ void Foam::obstacleInterface::slide(const scalar middle, const scalar deltaT)
         const vector impulse(middle*p.area*p.result.t);
         work_.add(body, corner, node, impulse);
         account_.taken += impulse & p.plus.v;
-        const vector mean(p.plus.v - body.meanStepVelocity(node));
-        if (law().sticks()) sumFriction(p, mean, middle);
+        if (law().sticks())
+        {
+            sumFriction(p, p.plus.v - body.meanStepVelocity(node), middle);
+        }
         if (!remembers) continue;
 
         const vector v
