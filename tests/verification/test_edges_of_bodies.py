@@ -274,13 +274,16 @@ def thrown(seed, nDim, kind=Body):
 
 @pytest.mark.parametrize("nDim, seed, kind", (
     (2, 224, Body), (2, 281, Body), (2, 297, Body), (2, 242, Body),
+    (2, 321, Body), (2, 180, OnePatch),
     (3, 206, Body), (3, 208, Body), (3, 226, Body), (3, 233, Body),
     (3, 204, OnePatch), (3, 208, OnePatch)))
 def test_blocks_thrown_at_each_other(tmp_path, figures, nDim, seed, kind):
     """As two corners or edges pass each other, their opposite faces and the
     way out change. Earlier, of a hundred and forty such scenes eleven stopped,
     since faces at the back of a corner were found inside the other body, and
-    fourteen gained up to 4.4 times their energy."""
+    fourteen gained up to 4.4 times their energy. In 321 and 180 a corner turns
+    from one face to the next: what one face subtracted was more than the other
+    pressed, and contact gave up to 0.2 % of the energy."""
     blocks = thrown(seed, nDim, kind)
     alone = all(b.material["type"] == "rigid" for b in blocks)
     steps = {"adjustTimeStep": "no", "deltaT": 0.005} if alone else {}

@@ -293,13 +293,13 @@ void Foam::bodyInterface::releasePulls()
     plusPressed_ = Zero;
     acting([&](const contactLaw::problem& p, const label m, const label s)
     {
-        minusPressed_[m] += p.area;
-        plusPressed_[s] += p.area;
+        minusPressed_[m] += p.area*p.result.t;
+        plusPressed_[s] += p.area*p.result.t;
     });
     acting([&](contactLaw::problem& p, const label m, const label s)
     {
         const bool pressed =
-            minusPressed_[m] > 0 || plusPressed_[s] > 0
+            (minusPressed_[m] & p.n) < 0 || (plusPressed_[s] & p.n) < 0
          || states_.plus[s].shared > 0.5;
         if (p.area < 0 && !pressed)
         {
