@@ -126,28 +126,30 @@ def test_metal_that_has_flowed(tmp_path, figures):
                 in case.output, True)
 
 
-@pytest.mark.parametrize("cells", ((16, 12), (11, 7)))
-def test_metal_that_was_bent(tmp_path, figures, cells):
-    """The elastic strain is a hundredth of the plastic strain, and is kept.
-    When displacements and CpInv were mapped separately, the energy became nine
-    times as large."""
+@pytest.mark.parametrize("cells, kept", (
+    ((8, 6), 0.02), ((16, 12), 0.35), ((11, 7), 0.35)))
+def test_metal_that_was_bent(tmp_path, figures, cells, kept):
+    """The elastic strain is a hundredth of the plastic strain, and is kept: on
+    the same mesh to the change in a step, on others without what alternates
+    from node to node. When only its deviator was mapped, the energy became 1.9,
+    3.4 and 1.7 times as large, and the metal flowed on."""
     metal = {"type": "HenckyVonMises", "rho": 1, "mu": 400, "kappa": 1000,
              "tauY": 5, "Hardening": 20}
 
     def block(n, **fields):
         return Body(cells=n, material=metal, sides={"left": HELD}, **fields)
     source = make(tmp_path/"source", block((8, 6), velocity=lambda X: np.stack(
-        (-0.8*X[:, 0], 0.6*X[:, 0]**2, 0*X[:, 0]), axis=1)), 0.3, control={
+        (-2*X[:, 0], 1.5*X[:, 0]**2, 0*X[:, 0]), axis=1)), 0.3, control={
             "damping": {"body": {"coefficient": 3}}}).run()
     case = mapped(source, make(tmp_path/"case", block(cells), 0.02)).run()
     strain = source.energies["body:strain"][-1]
     with figures(f"mapState of a metal that was bent, to {cells}") as f:
         f.atLeast("plastic strain, largest",
-                  source.at("epsilonPEq").max(), 0.05)
+                  source.at("epsilonPEq").max(), 0.25)
         f.within("strain energy / of the other mesh",
-                 case.energies["body:strain"][0]/strain, 1, 0.4)
+                 case.energies["body:strain"][0]/strain, 1, kept)
         f.atMost("work of the flow after it / strain energy",
-                 case.energies["body:plasticDissipation"][-1]/strain, 0.05)
+                 case.energies["body:plasticDissipation"][-1]/strain, 0.06)
         f.equal("names the strain", "elasticStrain" in case.output, True)
 
 

@@ -14,9 +14,10 @@ Description
     pointU, with the boundary conditions of this case, pointD, F0, epsilonPEq,
     pointT, and contactSlide, the memory of friction. For a metal that has
     flowed it maps the elastic strain (elasticStrain), from which the solver
-    finds CpInv, if the other case has F, and CpInv is not I everywhere.
-    Otherwise it maps CpInv, and scales its determinant back to 1. Other records
-    of a run (contactStatus, acceleration, hourglassShare) begin anew.
+    finds CpInv and the volume of F0, if the other case has F, and CpInv is not
+    I everywhere. Otherwise it maps CpInv, and scales its determinant back to 1.
+    Other records of a run (contactStatus, acceleration, hourglassShare) begin
+    anew.
 
     Values are mapped from points to points (pointMapping) in the reference
     configuration, that of the meshes as they were made. Displacements use their
@@ -45,7 +46,6 @@ Usage
 
 SourceFiles
     mapState.C
-    displacementFilter.C
     pointMapping.C
 
 \*---------------------------------------------------------------------------*/
@@ -59,8 +59,8 @@ SourceFiles
 #include "rigidMaterial.H"
 #include "systemChecks.H"
 #include "dictionaryCheck.H"
-#include "displacementFilter.H"
 #include "elasticStrain.H"
+#include "emptyPolyPatch.H"
 #include "syncTools.H"
 #include "writtenTimes.H"
 #include "fileOperation.H"
@@ -299,6 +299,41 @@ bool hasElasticStrain(const polyMesh& source)
 }
 
 
+//- All points of a patch have the same displacement
+bool movesAsOne(const polyPatch& pp, const vectorField& displacement)
+{
+    scalar most = 0;
+    for (const label p : pp.meshPoints())
+    {
+        most = max
+        (
+            most, mag(displacement[p] - displacement[pp.meshPoints()[0]])
+        );
+    }
+    return most == 0;
+}
+
+
+//- Remove derivatives of a displacement along patches that move as one
+void holdSides
+(
+    tensorField& gradient,
+    const vectorField& displacement,
+    const polyMesh& mesh
+)
+{
+    for (const polyPatch& pp : mesh.boundaryMesh())
+    {
+        if (isA<emptyPolyPatch>(pp) || !movesAsOne(pp, displacement)) continue;
+        forAll(pp.meshPoints(), k)
+        {
+            tensor& G = gradient[pp.meshPoints()[k]];
+            G = G & sqr(pp.pointNormals()[k]);
+        }
+    }
+}
+
+
 //- Map the displacement if the other case has it, with its gradient if there is
 //  one. \return its name, or nothing
 word mapDisplacement
@@ -317,11 +352,7 @@ word mapDisplacement
         gradient -= tensor(tensor::I);
         if (gradient.size())
         {
-            displacementFilter::holdSides(gradient, values, source);
-        }
-        if (hasElasticStrain(source))
-        {
-            displacementFilter::smooth(values, gradient, source);
+            holdSides(gradient, values, source);
         }
     }
     return writeValues
@@ -334,7 +365,8 @@ word mapDisplacement
 }
 
 
-//- Map the elastic strain of a metal, from F and CpInv of the other case
+//- Map the elastic strain of a metal, from F, J and CpInv of the other case.
+//  F and J include F0
 word mapElasticStrain
 (
     const pointMapping& mapping,
@@ -346,7 +378,9 @@ word mapElasticStrain
     {
         const alone here;
         tensorField F, F0;
+        scalarField J;
         readValues("F", source, F);
+        readValues("J", source, J);
         readValues("CpInv", source, strain);
         readValues("F0", source, F0);
         forAll(strain, i)
@@ -355,6 +389,10 @@ word mapElasticStrain
             (
                 F0.empty() ? F[i] : F[i] & F0[i], strain[i]
             );
+            if (J.size())
+            {
+                strain[i] += symmTensor(std::log(J[i]/det(F[i]))/3*I);
+            }
         }
     }
     return writeValues

@@ -120,6 +120,27 @@ Foam::symmTensor Foam::deformableBody::plasticPart
 }
 
 
+void Foam::deformableBody::setElasticVolume(const symmTensorField& strain)
+{
+    const initialStretch& initial = material_->initial();
+    const labelList& point = dual_.nodePoint();
+    tensorField F0(dual_.nNodes());
+    scalar change = 0;
+    forAll(F0, a)
+    {
+        const tensor given(initial.on() ? initial.value(a) : tensor::I);
+        const scalar J = det(deformationGradient(a))*det(given);
+        const scalar ratio = std::exp(tr(strain[point[a]]))/J;
+        F0[a] = std::cbrt(ratio)*given;
+        change = max(change, mag(ratio - 1));
+    }
+    if (returnReduce(change, maxOp<scalar>()) > roundedStretch)
+    {
+        material_->setInitialStretch(initialStretch(F0, dual_.nDim()));
+    }
+}
+
+
 void Foam::deformableBody::readPlasticState(const bool undeformed)
 {
     conservedState& s = data_.state;
@@ -147,6 +168,10 @@ void Foam::deformableBody::readPlasticState(const bool undeformed)
             << "Field 'elasticStrain': the field CpInv is there, too, but each "
             << "of them determines the other. Give only one of them"
             << exit(FatalIOError);
+    }
+    if (elastic.valid() && data_.variational)
+    {
+        setElasticVolume(elastic().primitiveField());
     }
     const auto strain = readIfPresent<scalar>("epsilonPEq", dimless);
     if (material_->initialTemperature() > 0)

@@ -182,8 +182,8 @@ Foam::keywordList Foam::regionFiles::startFields()
         },
         {
             "elasticStrain", "-", "symmTensor",
-            "logarithmic elastic strain, replaces CpInv; only its deviator "
-            "matters; only HenckyVonMises"
+            "logarithmic elastic strain, replaces CpInv and the volume of F0; "
+            "only HenckyVonMises"
         },
         {
             "epsilonPEq", "-", "scalar",
