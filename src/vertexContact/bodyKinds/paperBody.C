@@ -219,15 +219,14 @@ void Foam::paperBody::reportScheme(Ostream& os) const
 
 void Foam::paperBody::computeGradients(const bool withNodes)
 {
-    kernel_->gradients(data_);
+    kernel_->gradients();
     for (const dualPatch& patch : dual_.patches())
     {
         if (patch.nFaces() && !mirrorPatches_.found(patch.patchIndex))
         {
             kernel_->addBoundaryGradients
             (
-                data_, patch,
-                withNodes ? nullptr : statesOf(patch.patchIndex)
+                patch, withNodes ? nullptr : statesOf(patch.patchIndex)
             );
         }
     }
@@ -272,7 +271,7 @@ Foam::paperBody::paperBody
 
 void Foam::paperBody::prepare(const scalar time, const bool moved)
 {
-    kernel_->velocities(data_);
+    kernel_->velocities();
     if (moved)
     {
         passTimes::timed(passTimes::stress, [&]
@@ -313,7 +312,7 @@ void Foam::paperBody::computeFluxes(const bool energy)
     // Pass B: limiter and fluxes
     data_.numericalDissipation = 0;
     powers_ = powers();
-    times::timed(times::fluxes, [&] { kernel_->fluxes(data_, energy); });
+    times::timed(times::fluxes, [&] { kernel_->fluxes(energy); });
     for (const dualPatch& patch : dual_.patches())
     {
         const label patchi = patch.patchIndex;
@@ -321,7 +320,7 @@ void Foam::paperBody::computeFluxes(const bool energy)
         {
             const scalar power = kernel_->addBoundaryFluxes
             (
-                data_, patch, statesOf(patchi), energy
+                patch, statesOf(patchi), energy
             );
             (condition(patchi).contact() ? powers_.contact : powers_.external)
                 += power;
@@ -365,7 +364,7 @@ Foam::label Foam::paperBody::advance
     data_.state.sinceCommit = sinceCommit;
     return passTimes::timed(passTimes::update, [&]
     {
-        return kernel_->advance(data_, deltaT, oldWeight, part);
+        return kernel_->advance(deltaT, oldWeight, part);
     });
 }
 

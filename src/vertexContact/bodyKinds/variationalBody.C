@@ -82,12 +82,11 @@ Foam::variationalBody::variationalBody
 )
 :
     solidBody(mesh, options, kinematicsOf),
-    kernel_(variationalKernel::New(data_)),
     scheme_
     (
         new variationalScheme
         (
-            data_, *kernel_, *material_, symmetry_, options_, mirrorPatches_
+            data_, *material_, symmetry_, options_, mirrorPatches_
         )
     )
 {

@@ -90,17 +90,11 @@ void Foam::variationalBody::addTractions(const scalar time)
             const solidBoundaryCondition& bc = condition(patchi);
             if (bc.isPressure())
             {
-                kernel_->addSurfacePressure
-                (
-                    data_, patch, bc.pressure(time), externalForce_
-                );
+                addPressure(patch, bc.pressure(time));
             }
             else
             {
-                kernel_->addTractions
-                (
-                    data_, patch, corners_[patchi], externalForce_
-                );
+                addTractions(patch);
             }
             loaded = true;
         }
@@ -113,6 +107,67 @@ void Foam::variationalBody::addTractions(const scalar time)
     passTimes::timed(passTimes::processors, [&]
     {
         dual_.sharing().sum(data_.rates.data(), data_.strideRates);
+    });
+}
+
+
+void Foam::variationalBody::addTractions(const dualPatch& patch)
+{
+    const label d = dual_.nDim();
+    const FixedList<label, 3>& dir = dual_.directions();
+    const cornerStates& c = corners_[patch.patchIndex];
+    patch.forFaces([&](const dualPatch::face& f)
+    {
+        const scalar* s = patch.weights.cdata() + f.firstWeight;
+        for (label p = 0; p < f.size; ++p)
+        {
+            const label a = patch.cornerNode[f.start + p];
+            vector sum(c.force[f.start + p]);
+            for (label j = 0; j < f.size; ++j)
+            {
+                sum += s[p*f.size + j]*c.tB[f.start + j];
+            }
+            for (label i = 0; i < d; ++i)
+            {
+                externalForce_[a*d + i] += sum[dir[i]]/dual_.nodeVolume()[a];
+            }
+        }
+    });
+}
+
+
+void Foam::variationalBody::addPressure
+(
+    const dualPatch& patch,
+    const scalar pressure
+)
+{
+    const label d = dual_.nDim();
+    patch.forFaces([&](const dualPatch::face& f)
+    {
+        scalar x[4*3], areas[4*3];
+        for (label p = 0; p < f.size; ++p)
+        {
+            const label a = patch.cornerNode[f.start + p];
+            for (label i = 0; i < d; ++i)
+            {
+                x[p*d + i] = dual_.nodePosition()[a*d + i];
+                if (data_.finiteStrain)
+                {
+                    x[p*d + i] += data_.state.disp[a*d + i];
+                }
+            }
+        }
+        patch.cornerAreas(d, f, x, areas);
+        for (label p = 0; p < f.size; ++p)
+        {
+            const label a = patch.cornerNode[f.start + p];
+            const scalar perV = pressure/dual_.nodeVolume()[a];
+            for (label i = 0; i < d; ++i)
+            {
+                externalForce_[a*d + i] -= perV*areas[p*d + i];
+            }
+        }
     });
 }
 

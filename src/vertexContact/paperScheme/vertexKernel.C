@@ -12,14 +12,14 @@ namespace Foam
 {
 
 // Each dimension is compiled in a file of its own
-extern template autoPtr<vertexKernel> newVertexKernel<1>(const vertexData&);
-extern template autoPtr<vertexKernel> newVertexKernel<2>(const vertexData&);
-extern template autoPtr<vertexKernel> newVertexKernel<3>(const vertexData&);
+extern template autoPtr<vertexKernel> newVertexKernel<1>(vertexData&);
+extern template autoPtr<vertexKernel> newVertexKernel<2>(vertexData&);
+extern template autoPtr<vertexKernel> newVertexKernel<3>(vertexData&);
 
 }
 
 
-Foam::autoPtr<Foam::vertexKernel> Foam::vertexKernel::New(const vertexData& d)
+Foam::autoPtr<Foam::vertexKernel> Foam::vertexKernel::New(vertexData& d)
 {
     return withDirections(d.nDim(), [&](auto D)
     {

@@ -9,7 +9,7 @@
 // * * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * //
 
 template Foam::autoPtr<Foam::vertexKernel>
-Foam::newVertexKernel<3>(const vertexData&);
+Foam::newVertexKernel<3>(vertexData&);
 
 
 // ************************************************************************* //

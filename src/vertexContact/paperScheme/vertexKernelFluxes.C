@@ -23,26 +23,26 @@ namespace Foam
 
 template<int D, int nSJ, reconstructionType R, bool finite>
 template<limiterType limiter, bool energy>
-void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
+void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop()
 {
     typedef std::ptrdiff_t index;
 
-    const label* edge = d.dual.edgeNodes().cdata();
-    const scalar* edgeArea = d.edgeArea();
-    const scalar* X = d.dual.nodePosition().cdata();
-    const scalar* V = d.dual.nodeVolume().cdata();
-    const scalar* W = d.W.cdata();
-    const scalar* grad = d.grad.cdata();
-    const scalar* F = d.state.F.cdata();
-    const scalar* H = d.state.H.cdata();
+    const label* edge = d_.dual.edgeNodes().cdata();
+    const scalar* edgeArea = d_.edgeArea();
+    const scalar* X = d_.dual.nodePosition().cdata();
+    const scalar* V = d_.dual.nodeVolume().cdata();
+    const scalar* W = d_.W.cdata();
+    const scalar* grad = d_.grad.cdata();
+    const scalar* F = d_.state.F.cdata();
+    const scalar* H = d_.state.H.cdata();
     const scalar* factor =
-        d.waveFactor.size() ? d.waveFactor.cdata() : nullptr;
-    scalar* rates = d.rates.data();
+        d_.waveFactor.size() ? d_.waveFactor.cdata() : nullptr;
+    scalar* rates = d_.rates.data();
 
-    const label nEdges = d.dual.nEdges();
-    const scalar halfZp = 0.5*d.dissipation*d.rho*d.cp;
-    const scalar halfZs = 0.5*d.dissipation*d.rho*d.cs;
-    const scalar perZp = 0.5/(d.rho*d.cp);
+    const label nEdges = d_.dual.nEdges();
+    const scalar halfZp = 0.5*d_.dissipation*d_.rho*d_.cp;
+    const scalar halfZs = 0.5*d_.dissipation*d_.rho*d_.cs;
+    const scalar perZp = 0.5/(d_.rho*d_.cp);
     scalar dissipation = 0;
 
     // Row widths: components of v and SigmaJ, of a column, of gradients
@@ -109,7 +109,7 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
         while (nodeA < a)
         {
             if (nodeA >= 0) finish();
-            if (nodeA + 1 == d.nNodes()) break;
+            if (nodeA + 1 == d_.nNodes()) break;
             load(nodeA + 1);
         }
     };
@@ -298,11 +298,11 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxLoop(vertexData& d) const
             }
         }
     }
-    finishUpTo(d.nNodes());
+    finishUpTo(d_.nNodes());
 
     if constexpr (energy)
     {
-        d.numericalDissipation += dissipation;
+        d_.numericalDissipation += dissipation;
     }
 }
 

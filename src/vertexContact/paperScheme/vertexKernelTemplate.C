@@ -17,9 +17,8 @@ namespace Foam
 template<int D, int nSJ, reconstructionType R, bool finite>
 inline SolidTensor<D> vertexKernelTemplate<D, nSJ, R, finite>::rateF
 (
-    const vertexData& d,
     const label a
-)
+) const
 {
     SolidTensor<D> G;
     for (int i = 0; i < D; ++i)
@@ -28,8 +27,8 @@ inline SolidTensor<D> vertexKernelTemplate<D, nSJ, R, finite>::rateF
         {
             G(i, j) =
                 full
-              ? d.rates[a*sRates + atRateF + i*D + j]
-              : d.grad[a*sG*D + atGrad(i, j)];
+              ? d_.rates[a*sRates + atRateF + i*D + j]
+              : d_.grad[a*sG*D + atGrad(i, j)];
         }
     }
     G.out = 0;
@@ -40,12 +39,12 @@ inline SolidTensor<D> vertexKernelTemplate<D, nSJ, R, finite>::rateF
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 template<int D, int nSJ, reconstructionType R, bool finite>
-void vertexKernelTemplate<D, nSJ, R, finite>::velocities(vertexData& d) const
+void vertexKernelTemplate<D, nSJ, R, finite>::velocities()
 {
-    const label n = d.nNodes();
-    const scalar perRho = 1/d.rho;
-    const scalar* lm = d.state.lm.cdata();
-    scalar* W = d.W.data();
+    const label n = d_.nNodes();
+    const scalar perRho = 1/d_.rho;
+    const scalar* lm = d_.state.lm.cdata();
+    scalar* W = d_.W.data();
 
     for (label a = 0; a < n; ++a)
     {
@@ -54,13 +53,13 @@ void vertexKernelTemplate<D, nSJ, R, finite>::velocities(vertexData& d) const
 
     if constexpr (finite && D == 3)
     {
-        if (!d.state.solvesH)
+        if (!d_.state.solvesH)
         {
-            scalar* H = d.state.H.data();
+            scalar* H = d_.state.H.data();
             for (label a = 0; a < n; ++a)
             {
                 const SolidTensor<3> G =
-                    cofactor(loadF<3>(d.state.F.cdata(), a));
+                    cofactor(loadF<3>(d_.state.F.cdata(), a));
                 for (int k = 0; k < 9; ++k) H[9*a + placeH(k)] = G.in[k];
             }
         }
@@ -69,22 +68,22 @@ void vertexKernelTemplate<D, nSJ, R, finite>::velocities(vertexData& d) const
 
 
 template<int D, int nSJ, reconstructionType R, bool finite>
-void vertexKernelTemplate<D, nSJ, R, finite>::gradients(vertexData& d) const
+void vertexKernelTemplate<D, nSJ, R, finite>::gradients()
 {
     constexpr int w = strideWidth(sG);
-    const label* edge = d.dual.edgeNodes().cdata();
-    const scalar* area = d.edgeArea();
-    const scalar* V = d.dual.nodeVolume().cdata();
-    const scalar* W = d.W.cdata();
-    const label nEdges = d.dual.nEdges();
+    const label* edge = d_.dual.edgeNodes().cdata();
+    const scalar* area = d_.edgeArea();
+    const scalar* V = d_.dual.nodeVolume().cdata();
+    const scalar* W = d_.W.cdata();
+    const label nEdges = d_.dual.nEdges();
 
-    d.grad = Zero;
-    scalar* grad = d.grad.data();
+    d_.grad = Zero;
+    scalar* grad = d_.grad.data();
 
     // Edges are sorted by their first node: a node is complete after the last
     // edge that starts there
     label e = 0, farthest = -1;
-    for (label a = 0; a < d.nNodes(); ++a)
+    for (label a = 0; a < d_.nNodes(); ++a)
     {
         scalar* ga = grad + a*sG*D;
         row<w> Wa[sG/w], sumA[D*sG/w];
@@ -126,15 +125,14 @@ void vertexKernelTemplate<D, nSJ, R, finite>::gradients(vertexData& d) const
 template<int D, int nSJ, reconstructionType R, bool finite>
 void vertexKernelTemplate<D, nSJ, R, finite>::addBoundaryGradients
 (
-    vertexData& d,
     const dualPatch& patch,
     const cornerStates* c
-) const
+)
 {
-    const FixedList<label, 3>& dir = d.dual.directions();
-    const scalar* V = d.dual.nodeVolume().cdata();
-    const scalar* W = d.W.cdata();
-    scalar* grad = d.grad.data();
+    const FixedList<label, 3>& dir = d_.dual.directions();
+    const scalar* V = d_.dual.nodeVolume().cdata();
+    const scalar* W = d_.W.cdata();
+    scalar* grad = d_.grad.data();
     constexpr int wide = strideWidth(sG);
     constexpr label block = 8;
     alignas(64) scalar values[block][sG];
@@ -187,18 +185,14 @@ void vertexKernelTemplate<D, nSJ, R, finite>::addBoundaryGradients
 
 
 template<int D, int nSJ, reconstructionType R, bool finite>
-void vertexKernelTemplate<D, nSJ, R, finite>::fluxes
-(
-    vertexData& d,
-    const bool energy
-) const
+void vertexKernelTemplate<D, nSJ, R, finite>::fluxes(const bool energy)
 {
-    d.rates = Zero;
+    d_.rates = Zero;
 
     const auto run = [&](auto limiter)
     {
         constexpr auto type = decltype(limiter)::value;
-        energy ? fluxLoop<type, true>(d) : fluxLoop<type, false>(d);
+        energy ? fluxLoop<type, true>() : fluxLoop<type, false>();
     };
 
     if constexpr (none)
@@ -207,7 +201,7 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxes
     }
     else
     {
-        slopeLimiter::withLimiter(d.limiter, run);
+        slopeLimiter::withLimiter(d_.limiter, run);
     }
 }
 
@@ -215,16 +209,15 @@ void vertexKernelTemplate<D, nSJ, R, finite>::fluxes
 template<int D, int nSJ, reconstructionType R, bool finite>
 scalar vertexKernelTemplate<D, nSJ, R, finite>::addBoundaryFluxes
 (
-    vertexData& d,
     const dualPatch& patch,
     const cornerStates* c,
     const bool energy
-) const
+)
 {
     return
         energy
-      ? boundaryFluxLoop<true>(d, patch, c)
-      : boundaryFluxLoop<false>(d, patch, c);
+      ? boundaryFluxLoop<true>(patch, c)
+      : boundaryFluxLoop<false>(patch, c);
 }
 
 
@@ -232,17 +225,16 @@ template<int D, int nSJ, reconstructionType R, bool finite>
 template<bool energy>
 scalar vertexKernelTemplate<D, nSJ, R, finite>::boundaryFluxLoop
 (
-    vertexData& d,
     const dualPatch& patch,
     const cornerStates* c
 )
 {
     if (!c && !full && !energy) return 0;
 
-    const FixedList<label, 3>& dir = d.dual.directions();
-    const scalar* V = d.dual.nodeVolume().cdata();
-    const scalar* W = d.W.cdata();
-    scalar* rates = d.rates.data();
+    const FixedList<label, 3>& dir = d_.dual.directions();
+    const scalar* V = d_.dual.nodeVolume().cdata();
+    const scalar* W = d_.W.cdata();
+    scalar* rates = d_.rates.data();
     scalar power = 0, storage = 0;
 
     patch.forFaces([&](const dualPatch::face& f)
@@ -314,7 +306,7 @@ scalar vertexKernelTemplate<D, nSJ, R, finite>::boundaryFluxLoop
         }
     });
 
-    d.numericalDissipation += power - storage;
+    d_.numericalDissipation += power - storage;
     return power;
 }
 
@@ -322,11 +314,10 @@ scalar vertexKernelTemplate<D, nSJ, R, finite>::boundaryFluxLoop
 template<int D, int nSJ, reconstructionType R, bool finite>
 label vertexKernelTemplate<D, nSJ, R, finite>::advance
 (
-    vertexData& d,
     const scalar deltaT,
     const scalar oldWeight,
     const updatedPart part
-) const
+)
 {
     // H is stored where it is solved (2D: the out-of-plane component)
     constexpr bool mayH = finite && D > 1;
@@ -335,15 +326,15 @@ label vertexKernelTemplate<D, nSJ, R, finite>::advance
         constexpr bool H = decltype(solvesH)::value;
         return
             part == updatedPart::kinematics
-          ? advanceNodes<true, updatedPart::kinematics, H>(d, deltaT, 0)
+          ? advanceNodes<true, updatedPart::kinematics, H>(deltaT, 0)
           : oldWeight == 0
-          ? advanceNodes<true, updatedPart::all, H>(d, deltaT, 0)
-          : advanceNodes<false, updatedPart::all, H>(d, deltaT, oldWeight);
+          ? advanceNodes<true, updatedPart::all, H>(deltaT, 0)
+          : advanceNodes<false, updatedPart::all, H>(deltaT, oldWeight);
     };
     return
         part == updatedPart::momentum
-      ? advanceNodes<true, updatedPart::momentum, false>(d, deltaT, 0)
-      : mayH && d.state.solvesH
+      ? advanceNodes<true, updatedPart::momentum, false>(deltaT, 0)
+      : mayH && d_.state.solvesH
       ? go(std::integral_constant<bool, mayH>())
       : go(std::false_type());
 }
@@ -353,17 +344,16 @@ template<int D, int nSJ, reconstructionType R, bool finite>
 template<bool first, updatedPart part, bool solvesH>
 label vertexKernelTemplate<D, nSJ, R, finite>::advanceNodes
 (
-    vertexData& d,
     const scalar deltaT,
     const scalar oldWeight
 )
 {
     constexpr bool momentum = (part != updatedPart::kinematics);
     constexpr bool kinematics = (part != updatedPart::momentum);
-    const label n = d.nNodes();
-    const scalar* W = d.W.cdata();
-    conservedState& s = d.state;
-    conservedState& o = d.old;
+    const label n = d_.nNodes();
+    const scalar* W = d_.W.cdata();
+    conservedState& s = d_.state;
+    conservedState& o = d_.old;
     const conservedState& next = first ? o : s;
     const scalar weight = 1 - oldWeight;
     label nBad = 0;
@@ -399,11 +389,11 @@ label vertexKernelTemplate<D, nSJ, R, finite>::advanceNodes
 
     for (label a = 0; a < n; ++a)
     {
-        const scalar* rates = d.rates.cdata() + a*sRates;
+        const scalar* rates = d_.rates.cdata() + a*sRates;
 
         if constexpr (kinematics)
         {
-            const SolidTensor<D> G = rateF(d, a);
+            const SolidTensor<D> G = rateF(a);
             if constexpr (finite)
             {
                 const SolidTensor<D> F = loadF<D>(s.F.cdata(), a);
@@ -483,20 +473,20 @@ label vertexKernelTemplate<D, nSJ, R, finite>::advanceNodes
 // * * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * //
 
 template<int D, int nSJ, bool finite>
-autoPtr<vertexKernel> newVertexKernelOf(const reconstructionType r)
+autoPtr<vertexKernel> newVertexKernelOf(vertexData& d)
 {
     using kind = reconstructionType;
     vertexKernel* k = nullptr;
-    switch (r)
+    switch (d.reconstruction)
     {
         case kind::none:
-            k = new vertexKernelTemplate<D, nSJ, kind::none, finite>();
+            k = new vertexKernelTemplate<D, nSJ, kind::none, finite>(d);
             break;
         case kind::linear:
-            k = new vertexKernelTemplate<D, nSJ, kind::linear, finite>();
+            k = new vertexKernelTemplate<D, nSJ, kind::linear, finite>(d);
             break;
         case kind::full:
-            k = new vertexKernelTemplate<D, nSJ, kind::full, finite>();
+            k = new vertexKernelTemplate<D, nSJ, kind::full, finite>(d);
             break;
     }
     return autoPtr<vertexKernel>(k);
@@ -504,12 +494,12 @@ autoPtr<vertexKernel> newVertexKernelOf(const reconstructionType r)
 
 
 template<int D>
-autoPtr<vertexKernel> newVertexKernel(const vertexData& d)
+autoPtr<vertexKernel> newVertexKernel(vertexData& d)
 {
     return
-        !d.finiteStrain ? newVertexKernelOf<D, 0, false>(d.reconstruction)
-      : d.nSJ ? newVertexKernelOf<D, 1, true>(d.reconstruction)
-      : newVertexKernelOf<D, 0, true>(d.reconstruction);
+        !d.finiteStrain ? newVertexKernelOf<D, 0, false>(d)
+      : d.nSJ ? newVertexKernelOf<D, 1, true>(d)
+      : newVertexKernelOf<D, 0, true>(d);
 }
 
 } // End namespace Foam

@@ -514,54 +514,41 @@ public:
 
 template<int D, bool finite>
 template<bool corrects>
-label variationalKernelTemplate<D, finite>::correctLoop
-(
-    vertexData& d,
-    variationalData& x,
-    edgePass& pass
-)
+label variationalKernelTemplate<D, finite>::correctLoop(edgePass& pass)
 {
-    if (x.early.any() ? pass.early : pass.edge == 0)
+    if (x_.early.any() ? pass.early : pass.edge == 0)
     {
-        x.closing = x.fastest = x.jumpEnergy = 0;
+        x_.closing = x_.fastest = x_.jumpEnergy = 0;
     }
-    correctionSums<corrects> sums(d, x);
+    correctionSums<corrects> sums(d_, x_);
     const label firstLate = pass.late;
     label nBad = 0;
-    overBlocks(d, x, earlyEdges::corrections, pass, sums, [&](const index a)
+    overBlocks(earlyEdges::corrections, pass, sums, [&](const index a)
     {
-        if constexpr (D > 1) takeForce(d, x, a);
-        nBad += !moveNode(d, x, a);
-        takeJumps(x, a);
+        if constexpr (D > 1) takeForce(a);
+        nBad += !moveNode(a);
+        takeJumps(a);
     });
     // Forces of late nodes before the sums over processors, which include the
     // rates
-    const label nLate = pass.early ? x.lateNodes.size() : pass.late;
+    const label nLate = pass.early ? x_.lateNodes.size() : pass.late;
     for (label late = firstLate; D > 1 && late < nLate; ++late)
     {
-        const label a = x.lateNodes[late];
-        if (x.early.completes(earlyEdges::corrections, a) == pass.early)
+        const label a = x_.lateNodes[late];
+        if (x_.early.completes(earlyEdges::corrections, a) == pass.early)
         {
-            takeForce(d, x, a);
+            takeForce(a);
         }
     }
-    sums.totals(x.closing, x.fastest, x.jumpEnergy);
+    sums.totals(x_.closing, x_.fastest, x_.jumpEnergy);
     return nBad;
 }
 
 
 template<int D, bool finite>
-label variationalKernelTemplate<D, finite>::correct
-(
-    vertexData& d,
-    variationalData& x,
-    edgePass& pass
-) const
+label variationalKernelTemplate<D, finite>::correct(edgePass& pass)
 {
-    return
-        x.beta > 0
-      ? correctLoop<true>(d, x, pass)
-      : correctLoop<false>(d, x, pass);
+    return x_.beta > 0 ? correctLoop<true>(pass) : correctLoop<false>(pass);
 }
 
 } // End namespace Foam

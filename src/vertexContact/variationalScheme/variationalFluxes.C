@@ -443,17 +443,12 @@ public:
 
 template<int D, bool finite>
 template<bool corrects>
-void variationalKernelTemplate<D, finite>::fluxLoop
-(
-    vertexData& d,
-    variationalData& x,
-    edgePass& pass
-)
+void variationalKernelTemplate<D, finite>::fluxLoop(edgePass& pass)
 {
-    fluxSums<corrects> sums(d, x);
-    overBlocks(d, x, earlyEdges::fluxes, pass, sums, [&](const index a)
+    fluxSums<corrects> sums(d_, x_);
+    overBlocks(earlyEdges::fluxes, pass, sums, [&](const index a)
     {
-        stressNode(x, d, a);
+        stressNode(a);
     });
 }
 
@@ -461,36 +456,27 @@ void variationalKernelTemplate<D, finite>::fluxLoop
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 template<int D, bool finite>
-void variationalKernelTemplate<D, finite>::fluxes
-(
-    vertexData& d,
-    variationalData& x,
-    edgePass& pass
-) const
+void variationalKernelTemplate<D, finite>::fluxes(edgePass& pass)
 {
-    x.beta > 0 ? fluxLoop<true>(d, x, pass) : fluxLoop<false>(d, x, pass);
+    x_.beta > 0 ? fluxLoop<true>(pass) : fluxLoop<false>(pass);
 }
 
 
 template<int D, bool finite>
-void variationalKernelTemplate<D, finite>::sumWaves
-(
-    const vertexData& d,
-    variationalData& x
-) const
+void variationalKernelTemplate<D, finite>::sumWaves()
 {
-    const scalar* F = d.state.F.cdata();
-    scalar* grad = x.grad.data();
-    const scalar* factors = d.waveFactor.cdata();
-    const bool stretched = d.waveFactor.size();
-    scalar* waves = x.waves().data();
+    const scalar* F = d_.state.F.cdata();
+    scalar* grad = x_.grad.data();
+    const scalar* factors = d_.waveFactor.cdata();
+    const bool stretched = d_.waveFactor.size();
+    scalar* waves = x_.waves().data();
 
     // Sums of the first node, kept until another node is first
     index node = -1;
     row<sK> sum{};
 
-    edgePass pass(d.dual.nEdges());
-    edgeBlocks block(d.dual, x.toMeet, pass);
+    edgePass pass(d_.dual.nEdges());
+    edgeBlocks block(d_.dual, x_.toMeet, pass);
     const auto begin = [&](const index a)
     {
         zeroAt<sK>(waves + a*sK);
@@ -514,7 +500,7 @@ void variationalKernelTemplate<D, finite>::sumWaves
             begin(a);
         });
         const label* ends = block.nodes();
-        const scalar* C = x.area.cdata() + index(block.first())*D;
+        const scalar* C = x_.area.cdata() + index(block.first())*D;
         lanes c[D], cc{}, CC{};
         for (int j = 0; j < D; ++j)
         {
@@ -551,8 +537,8 @@ void variationalKernelTemplate<D, finite>::sumWaves
                 return max(factors[ends[2*l]], factors[ends[2*l + 1]]);
             });
         }
-        const lanes zn = (d.cp - d.cs)*wave*reciprocal(cc + VSMALL);
-        const lanes zs = d.cs*wave;
+        const lanes zn = (d_.cp - d_.cs)*wave*reciprocal(cc + VSMALL);
+        const lanes zs = d_.cs*wave;
         lanes out[8] = {};
         for (int i = 0, k = 0; i < D; ++i)
         {

@@ -204,6 +204,26 @@ void Foam::variationalData::joinPairs(const medianDual& dual)
 }
 
 
+void Foam::variationalData::smooth(const medianDual& dual)
+{
+    average = Zero;
+    label e = 0;
+    for (label a = 0; a < dual.nNodes(); ++a)
+    {
+        scalar sum = average[a];
+        for (; e < dual.nEdges() && dual.edgeNodes()[2*e] == a; ++e)
+        {
+            const label b = dual.edgeNodes()[2*e + 1];
+            const scalar f = smoothing[e]*(jacobian[b] - jacobian[a]);
+            sum += f;
+            average[b] -= f;
+        }
+        average[a] = perV[a]*sum;
+    }
+    dual.sharing().sum(average.data(), 1);
+}
+
+
 std::size_t Foam::variationalData::bytes() const
 {
     return
@@ -241,23 +261,24 @@ namespace Foam
 
 // Each dimension is compiled in a file of its own
 extern template autoPtr<variationalKernel>
-newVariationalKernel<1>(const vertexData&);
+newVariationalKernel<1>(vertexData&, variationalData&);
 extern template autoPtr<variationalKernel>
-newVariationalKernel<2>(const vertexData&);
+newVariationalKernel<2>(vertexData&, variationalData&);
 extern template autoPtr<variationalKernel>
-newVariationalKernel<3>(const vertexData&);
+newVariationalKernel<3>(vertexData&, variationalData&);
 
 }
 
 
 Foam::autoPtr<Foam::variationalKernel> Foam::variationalKernel::New
 (
-    const vertexData& d
+    vertexData& d,
+    variationalData& x
 )
 {
     return withDirections(d.nDim(), [&](auto D)
     {
-        return newVariationalKernel<D.value>(d);
+        return newVariationalKernel<D.value>(d, x);
     });
 }
 

@@ -9,7 +9,7 @@
 // * * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * //
 
 template Foam::autoPtr<Foam::variationalKernel>
-Foam::newVariationalKernel<1>(const vertexData&);
+Foam::newVariationalKernel<1>(vertexData&, variationalData&);
 
 
 // ************************************************************************* //

@@ -9,7 +9,7 @@
 // * * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * //
 
 template Foam::autoPtr<Foam::variationalKernel>
-Foam::newVariationalKernel<2>(const vertexData&);
+Foam::newVariationalKernel<2>(vertexData&, variationalData&);
 
 
 // ************************************************************************* //

@@ -9,7 +9,7 @@
 // * * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * //
 
 template Foam::autoPtr<Foam::variationalKernel>
-Foam::newVariationalKernel<3>(const vertexData&);
+Foam::newVariationalKernel<3>(vertexData&, variationalData&);
 
 
 // ************************************************************************* //

@@ -22,17 +22,12 @@ namespace Foam
 {
 
 template<int D, bool finite>
-label variationalKernelTemplate<D, finite>::earlyGradients
-(
-    variationalData& x,
-    const vertexData& d,
-    const edgePass& pass
-)
+label variationalKernelTemplate<D, finite>::earlyGradients(const edgePass& pass)
 {
     constexpr label p = earlyEdges::gradients;
-    const earlyEdges& early = x.early;
-    const label* edge = d.dual.edgeNodes().cdata();
-    scalar* grad = x.grad.data();
+    const earlyEdges& early = x_.early;
+    const label* edge = d_.dual.edgeNodes().cdata();
+    scalar* grad = x_.grad.data();
 
     // The sums of the first node, in registers until another node is first. In
     // 2D both columns are one row, and twice the sum, as in gradientLoop()
@@ -41,8 +36,8 @@ label variationalKernelTemplate<D, finite>::earlyGradients
     const scalar half = D == 2 ? 1 : 0.5;
     const auto U = [&](const index a)
     {
-        if constexpr (D == 2) return twiceAt(x.U.cdata() + a*sU + atU);
-        else return rowAt<sA>(x.U.cdata() + a*sU);
+        if constexpr (D == 2) return twiceAt(x_.U.cdata() + a*sU + atU);
+        else return rowAt<sA>(x_.U.cdata() + a*sU);
     };
     const auto sumAt = [&](const index a, const int j) -> auto&
     {
@@ -82,22 +77,22 @@ label variationalKernelTemplate<D, finite>::earlyGradients
     for (const index a : early.reached(p)) zeroAt<sA*D>(grad + a*D*sA);
     for (const index pair : early.pairs())
     {
-        const label* ends = x.pairNodes.cdata() + 2*pair;
-        const scalar* B = x.pairArea.cdata() + D*pair;
+        const label* ends = x_.pairNodes.cdata() + 2*pair;
+        const scalar* B = x_.pairArea.cdata() + D*pair;
         add(ends[0], ends[1], B, 1, 2*half, -2*half);
     }
-    edgeBlocks block(d.dual, x.toMeet, pass, &early, p);
+    edgeBlocks block(d_.dual, x_.toMeet, pass, &early, p);
     for (; block.valid(); ++block)
     {
         block.soon([&](const index b)
         {
-            prefetch<sU>(x.U.cdata() + b*sU);
+            prefetch<sU>(x_.U.cdata() + b*sU);
             prefetch<sA*D>(grad + b*D*sA);
         });
         const index first = block.first();
         for (index e = first; e < first + block.size(); ++e)
         {
-            const scalar* C = variationalLayout::ofEdge<D>(x.area, e);
+            const scalar* C = variationalLayout::ofEdge<D>(x_.area, e);
             add(edge[2*e], edge[2*e + 1], C, nLanes, half, half);
         }
     }
@@ -105,18 +100,18 @@ label variationalKernelTemplate<D, finite>::earlyGradients
 
     const auto divide = [&](const index a)
     {
-        const scalar factor = D == 2 ? 0.5*x.perV[a] : x.perV[a];
+        const scalar factor = D == 2 ? 0.5*x_.perV[a] : x_.perV[a];
         for (int j = 0; j < nC; ++j) sumAt(a, j) *= factor;
     };
     label nBad = 0;
-    for (const index a : x.lateNodes)
+    for (const index a : x_.lateNodes)
     {
         if (early.completes(p, a)) divide(a);
     }
     for (const index a : early.nodes(p))
     {
         divide(a);
-        nBad += !deformNode(x, a);
+        nBad += !deformNode(a);
     }
     return nBad;
 }
@@ -124,34 +119,29 @@ label variationalKernelTemplate<D, finite>::earlyGradients
 
 template<int D, bool finite>
 template<bool leavesOut>
-label variationalKernelTemplate<D, finite>::gradientLoop
-(
-    variationalData& x,
-    const vertexData& d,
-    edgePass& pass
-)
+label variationalKernelTemplate<D, finite>::gradientLoop(edgePass& pass)
 {
-    const label* edge = d.dual.edgeNodes().cdata();
-    const scalar* U = x.U.cdata();
-    const label nEdges = d.dual.nEdges();
-    const label nPairs = x.pairNodes.size()/2;
-    scalar* grad = x.grad.data();
+    const label* edge = d_.dual.edgeNodes().cdata();
+    const scalar* U = x_.U.cdata();
+    const label nEdges = d_.dual.nEdges();
+    const label nPairs = x_.pairNodes.size()/2;
+    scalar* grad = x_.grad.data();
     constexpr label p = earlyEdges::gradients;
-    const earlyEdges& early = x.early;
+    const earlyEdges& early = x_.early;
 
     // Edges and pairs are sorted by their first node: a node is complete after
     // the last edge and pair that start there
     index e = pass.edge, pair = pass.pair, met = pass.met;
     const index start = pass.complete;
-    const index end = edgeBlocks::nodesBefore(d.dual, pass.end);
-    completeNodes complete(x.lateNodes, pass);
+    const index end = edgeBlocks::nodesBefore(d_.dual, pass.end);
+    completeNodes complete(x_.lateNodes, pass);
     label nBad = 0;
     const auto completeBefore = [&](const label end)
     {
         complete.before(end, [&](const index a)
         {
             if (leavesOut && early.completes(p, a)) return;
-            nBad += !deformNode(x, a);
+            nBad += !deformNode(a);
         });
     };
     const auto meet = [&](const index end)
@@ -173,7 +163,7 @@ label variationalKernelTemplate<D, finite>::gradientLoop
     const auto passedBy = [&](const index a)
     {
         if (!leavesOut || !early.completes(p, a)) return false;
-        while (pair < nPairs && x.pairNodes[2*pair] == a) ++pair;
+        while (pair < nPairs && x_.pairNodes[2*pair] == a) ++pair;
         while (e < nEdges && edge[2*e] == a) ++e;
         return true;
     };
@@ -185,20 +175,20 @@ label variationalKernelTemplate<D, finite>::gradientLoop
             return twiceAt(U + a*sU + atU);
         };
         label nextLate = pass.late;
-        const label nLate = x.lateNodes.size();
+        const label nLate = x_.lateNodes.size();
         for (index a = start; a < end; ++a)
         {
-            meet(e < nEdges ? x.toMeet[e/nLanes] : d.nNodes());
-            const bool late = nextLate < nLate && x.lateNodes[nextLate] == a;
+            meet(e < nEdges ? x_.toMeet[e/nLanes] : d_.nNodes());
+            const bool late = nextLate < nLate && x_.lateNodes[nextLate] == a;
             nextLate += late;
             if (passedBy(a)) continue;
             const row<8> Ua = twice(a);
             row<8> sum = rowAt<8>(grad + a*8);
-            for (; pair < nPairs && x.pairNodes[2*pair] == a; ++pair)
+            for (; pair < nPairs && x_.pairNodes[2*pair] == a; ++pair)
             {
-                const index b = x.pairNodes[2*pair + 1];
+                const index b = x_.pairNodes[2*pair + 1];
                 if (leavesOut && early.completes(p, b)) continue;
-                const scalar* B = x.pairArea.cdata() + D*pair;
+                const scalar* B = x_.pairArea.cdata() + D*pair;
                 meet(b + 1);
                 const row<8> change = (twice(b) - Ua)*halves(2*B[0], 2*B[1]);
                 sum += change;
@@ -209,19 +199,19 @@ label variationalKernelTemplate<D, finite>::gradientLoop
                 if (leavesOut && early.hasEdge(p, e)) continue;
                 const index b = edge[2*e + 1];
                 meet(b + 1);
-                const scalar* C = variationalLayout::ofEdge<D>(x.area, e);
+                const scalar* C = variationalLayout::ofEdge<D>(x_.area, e);
                 const row<8> change = (twice(b) - Ua)*halves(C[0], C[nLanes]);
                 sum += change;
                 rowAt<8>(grad + b*8) += change;
             }
-            sum *= 0.5*x.perV[a];
+            sum *= 0.5*x_.perV[a];
             if (late)
             {
                 rowAt<8>(grad + a*8) = sum;
             }
             else if constexpr (finite)
             {
-                nBad += !deformRow(x, a, sum);
+                nBad += !deformRow(a, sum);
             }
             else
             {
@@ -235,15 +225,15 @@ label variationalKernelTemplate<D, finite>::gradientLoop
     }
     for (index a = start; a < end; ++a)
     {
-        meet(e < nEdges ? x.toMeet[e/nLanes] : d.nNodes());
+        meet(e < nEdges ? x_.toMeet[e/nLanes] : d_.nNodes());
         if (passedBy(a)) continue;
         scalar* ga = grad + a*D*sA;
         const row<sA> Ua = rowAt<sA>(U + a*sU);
-        for (; pair < nPairs && x.pairNodes[2*pair] == a; ++pair)
+        for (; pair < nPairs && x_.pairNodes[2*pair] == a; ++pair)
         {
-            const index b = x.pairNodes[2*pair + 1];
+            const index b = x_.pairNodes[2*pair + 1];
             if (leavesOut && early.completes(p, b)) continue;
-            const scalar* B = x.pairArea.cdata() + D*pair;
+            const scalar* B = x_.pairArea.cdata() + D*pair;
             meet(b + 1);
             const row<sA> change = rowAt<sA>(U + b*sU) - Ua;
             for (int j = 0; j < D; ++j)
@@ -261,7 +251,7 @@ label variationalKernelTemplate<D, finite>::gradientLoop
             const index b = edge[2*e + 1];
             meet(b + 1);
             scalar* gb = grad + b*D*sA;
-            const scalar* C = variationalLayout::ofEdge<D>(x.area, e);
+            const scalar* C = variationalLayout::ofEdge<D>(x_.area, e);
             const row<sA> half = 0.5*(rowAt<sA>(U + b*sU) - Ua);
             for (int j = 0; j < D; ++j)
             {
@@ -270,7 +260,7 @@ label variationalKernelTemplate<D, finite>::gradientLoop
             }
         }
 
-        const scalar perV = x.perV[a];
+        const scalar perV = x_.perV[a];
         for (int j = 0; j < D; ++j) rowAt<sA>(ga + j*sA) = sumA[j]*perV;
         if (a % nLanes == nLanes - 1) completeBefore(a + 1);
     }
@@ -281,45 +271,35 @@ label variationalKernelTemplate<D, finite>::gradientLoop
 
 
 template<int D, bool finite>
-label variationalKernelTemplate<D, finite>::gradients
-(
-    variationalData& x,
-    const vertexData& d,
-    edgePass& pass
-) const
+label variationalKernelTemplate<D, finite>::gradients(edgePass& pass)
 {
-    if (pass.early) return earlyGradients(x, d, pass);
+    if (pass.early) return earlyGradients(pass);
     return
-        x.early.any()
-      ? gradientLoop<true>(x, d, pass)
-      : gradientLoop<false>(x, d, pass);
+        x_.early.any()
+      ? gradientLoop<true>(pass)
+      : gradientLoop<false>(pass);
 }
 
 
 template<int D, bool finite>
-void variationalKernelTemplate<D, finite>::forces
-(
-    vertexData& d,
-    const variationalData& x,
-    edgePass& pass
-) const
+void variationalKernelTemplate<D, finite>::forces(edgePass& pass)
 {
-    const label* edge = d.dual.edgeNodes().cdata();
-    const scalar* T = x.adjoint.cdata();
-    const label nEdges = d.dual.nEdges();
-    scalar* rates = d.rates.data();
+    const label* edge = d_.dual.edgeNodes().cdata();
+    const scalar* T = x_.adjoint.cdata();
+    const label nEdges = d_.dual.nEdges();
+    scalar* rates = d_.rates.data();
 
     // A column of T, and the resulting rates; in 1D without the rest of the row
     constexpr int w = 2*second;
 
-    const label nPairs = x.pairNodes.size()/2;
+    const label nPairs = x_.pairNodes.size()/2;
     const index start = pass.complete;
-    const index end = edgeBlocks::nodesBefore(d.dual, pass.end);
+    const index end = edgeBlocks::nodesBefore(d_.dual, pass.end);
     label& pair = pass.pair;
-    for (; pair < nPairs && x.pairNodes[2*pair] < end; ++pair)
+    for (; pair < nPairs && x_.pairNodes[2*pair] < end; ++pair)
     {
-        const index a = x.pairNodes[2*pair], b = x.pairNodes[2*pair + 1];
-        const scalar* B = x.pairArea.cdata() + D*pair;
+        const index a = x_.pairNodes[2*pair], b = x_.pairNodes[2*pair + 1];
+        const scalar* B = x_.pairArea.cdata() + D*pair;
         row<w> f{};
         for (int j = 0; j < D; ++j)
         {
@@ -357,7 +337,7 @@ void variationalKernelTemplate<D, finite>::forces
                     prefetch<sR>(rates + soon*sR);
                 }
                 const index b = edge[2*e + 1];
-                const scalar* C = variationalLayout::ofEdge<D>(x.area, e);
+                const scalar* C = variationalLayout::ofEdge<D>(x_.area, e);
                 const row<8> f =
                     (Ta + rowAt<8>(T + b*8))*halves(C[0], C[nLanes]);
                 both += f;
@@ -365,7 +345,7 @@ void variationalKernelTemplate<D, finite>::forces
             }
             scalar* rate = rates + a*sR;
             const row<4> sum =
-                x.perV[a]
+                x_.perV[a]
                *(rowAt<4>(rate) + 0.5*(lower(both) + upper(both)));
             rowAt<4>(rate) =
                 row<4>{sum[0] + sum[2], sum[1] + sum[3], sum[2], sum[3]};
@@ -388,7 +368,7 @@ void variationalKernelTemplate<D, finite>::forces
                 prefetch<sR>(rates + soon*sR);
             }
             const index b = edge[2*e + 1];
-            const scalar* C = variationalLayout::ofEdge<D>(x.area, e);
+            const scalar* C = variationalLayout::ofEdge<D>(x_.area, e);
             row<w> f{};
             for (int j = 0; j < D; ++j)
             {
@@ -400,7 +380,7 @@ void variationalKernelTemplate<D, finite>::forces
 
         // All edges of this node are done. The whole rate includes the
         // dissipation's
-        sum *= x.perV[a];
+        sum *= x_.perV[a];
         scalar* rate = rates + a*sR;
         rowAt<w>(rate) = sum;
         for (int i = 0; i < D; ++i) rate[i] = sum[i] + sum[second + i];

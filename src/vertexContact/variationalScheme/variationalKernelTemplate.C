@@ -20,14 +20,10 @@ namespace Foam
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 template<int D, bool finite>
-label variationalKernelTemplate<D, finite>::collect
-(
-    vertexData& d,
-    variationalData& x
-) const
+label variationalKernelTemplate<D, finite>::collect()
 {
     label nBad = 0;
-    for (index a = 0; a < d.nNodes(); ++a) nBad += collectNode(d, x, a);
+    for (index a = 0; a < d_.nNodes(); ++a) nBad += collectNode(a);
     return nBad;
 }
 
@@ -35,28 +31,26 @@ label variationalKernelTemplate<D, finite>::collect
 template<int D, bool finite>
 label variationalKernelTemplate<D, finite>::move
 (
-    vertexData& d,
-    variationalData& x,
     const scalar deltaT,
     const scalar half
-) const
+)
 {
-    const scalar perRho = 1/d.rho, perHalf = 1/half;
-    const scalar* lm = d.state.lm.cdata();
-    const scalar* oldLm = d.old.lm.cdata();
-    scalar* disp = d.state.disp.data();
-    scalar* oldDisp = d.old.disp.data();
-    scalar* rush = x.acceleration.data();
-    scalar* oldRush = x.oldAcceleration.data();
+    const scalar perRho = 1/d_.rho, perHalf = 1/half;
+    const scalar* lm = d_.state.lm.cdata();
+    const scalar* oldLm = d_.old.lm.cdata();
+    scalar* disp = d_.state.disp.data();
+    scalar* oldDisp = d_.old.disp.data();
+    scalar* rush = x_.acceleration.data();
+    scalar* oldRush = x_.oldAcceleration.data();
     label nBad = 0;
     if constexpr (D == 2)
     {
         // Both components of a node at once
         typedef std::int64_t twoCounts __attribute__((vector_size(16)));
         twoCounts good{};
-        scalar* U = x.U.data();
-        const scalar* damping = d.rates.cdata() + second;
-        const index n = d.nNodes();
+        scalar* U = x_.U.data();
+        const scalar* damping = d_.rates.cdata() + second;
+        const index n = d_.nNodes();
         for (index a = 0; a < n; ++a)
         {
             const index k = a*D;
@@ -78,7 +72,7 @@ label variationalKernelTemplate<D, finite>::move
     }
     else if constexpr (D == 3)
     {
-        for (index a = 0; a < d.nNodes(); ++a)
+        for (index a = 0; a < d_.nNodes(); ++a)
         {
             const index k = a*D;
             const row<4> p = threeAt(lm + k);
@@ -89,23 +83,23 @@ label variationalKernelTemplate<D, finite>::move
                 perRho
                *(
                     perHalf*(p - threeAt(oldLm + k))
-                  - threeAt(d.rates.cdata() + a*sR + second)
+                  - threeAt(d_.rates.cdata() + a*sR + second)
                 );
             storeThree(oldDisp + k, u);
             storeThree(disp + k, next);
             storeThree(oldRush + k, threeAt(rush + k));
             storeThree(rush + k, acceleration);
-            nBad += collectNode3(d, x, a, next, v);
+            nBad += collectNode3(a, next, v);
         }
         return nBad;
     }
     else
     {
-        for (index a = 0; a < d.nNodes(); ++a)
+        for (index a = 0; a < d_.nNodes(); ++a)
         {
             oldDisp[a] = disp[a];
             disp[a] += deltaT*perRho*lm[a];
-            nBad += collectNode(d, x, a);
+            nBad += collectNode(a);
         }
         return nBad;
     }
@@ -115,15 +109,14 @@ label variationalKernelTemplate<D, finite>::move
 template<int D, bool finite>
 label variationalKernelTemplate<D, finite>::deform
 (
-    variationalData& x,
     const label first,
     const label end
-) const
+)
 {
     label nBad = 0;
     for (label late = first; late < end; ++late)
     {
-        nBad += !deformNode(x, x.lateNodes[late]);
+        nBad += !deformNode(x_.lateNodes[late]);
     }
     return nBad;
 }
@@ -132,72 +125,35 @@ label variationalKernelTemplate<D, finite>::deform
 template<int D, bool finite>
 label variationalKernelTemplate<D, finite>::kinematics
 (
-    vertexData& d,
-    variationalData& x,
     const label first,
     const label end
-) const
+)
 {
     label nBad = 0;
     for (label late = first; late < end; ++late)
     {
-        nBad += !moveNode(d, x, x.lateNodes[late]);
-        takeJumps(x, x.lateNodes[late]);
-        setJumpsAside(x, late);
+        nBad += !moveNode(x_.lateNodes[late]);
+        takeJumps(x_.lateNodes[late]);
+        setJumpsAside(late);
     }
     return nBad;
 }
 
 
 template<int D, bool finite>
-void variationalKernelTemplate<D, finite>::smooth
-(
-    variationalData& x,
-    const vertexData& d
-) const
+void variationalKernelTemplate<D, finite>::addPressure()
 {
-    const label* edge = d.dual.edgeNodes().cdata();
-    const scalar* k = x.smoothing.cdata();
-    const scalar* J = x.jacobian.cdata();
-    scalar* average = x.average.data();
-    const label nEdges = d.dual.nEdges();
-
-    x.average = Zero;
-    index e = 0;
-    for (index a = 0; a < d.nNodes(); ++a)
+    for (label a = 0; a < d_.nNodes(); ++a)
     {
-        const scalar Ja = J[a];
-        scalar sum = average[a];
-        for (; e < nEdges && edge[2*e] == a; ++e)
-        {
-            const index b = edge[2*e + 1];
-            const scalar f = k[e]*(J[b] - Ja);
-            sum += f;
-            average[b] -= f;
-        }
-        average[a] = x.perV[a]*sum;
-    }
-}
-
-
-template<int D, bool finite>
-void variationalKernelTemplate<D, finite>::addPressure
-(
-    vertexData& d,
-    const variationalData& x
-) const
-{
-    for (label a = 0; a < d.nNodes(); ++a)
-    {
-        scalar* W = d.W.data() + a*d.strideW;
-        const scalar more = x.jacobian[a] - W[d.offsetSJ()];
+        scalar* W = d_.W.data() + a*d_.strideW;
+        const scalar more = x_.jacobian[a] - W[d_.offsetSJ()];
         const SolidTensor<D> H =
-            cofactor(loadF<D>(d.state.F.cdata(), a));
+            cofactor(loadF<D>(d_.state.F.cdata(), a));
         for (int i = 0; i < D; ++i)
         {
             for (int j = 0; j < D; ++j)
             {
-                W[d.offsetP() + j*D + i] += more*H(i, j);
+                W[d_.offsetP() + j*D + i] += more*H(i, j);
             }
         }
     }
@@ -207,83 +163,15 @@ void variationalKernelTemplate<D, finite>::addPressure
 template<int D, bool finite>
 void variationalKernelTemplate<D, finite>::stresses
 (
-    variationalData& x,
-    const vertexData& d,
     const label first,
     const label end
-) const
+)
 {
     for (label late = first; late < end; ++late)
     {
-        addJumps(x, late);
-        stressNode(x, d, x.lateNodes[late]);
+        addJumps(late);
+        stressNode(x_.lateNodes[late]);
     }
-}
-
-
-template<int D, bool finite>
-void variationalKernelTemplate<D, finite>::addTractions
-(
-    const vertexData& d,
-    const dualPatch& patch,
-    const cornerStates& c,
-    scalarField& force
-) const
-{
-    const FixedList<label, 3>& dir = d.dual.directions();
-    const scalar* V = d.dual.nodeVolume().cdata();
-    patch.forFaces([&](const dualPatch::face& f)
-    {
-        const scalar* s = patch.weights.cdata() + f.firstWeight;
-        for (label p = 0; p < f.size; ++p)
-        {
-            const label a = patch.cornerNode[f.start + p];
-            vector sum(c.force[f.start + p]);
-            for (label j = 0; j < f.size; ++j)
-            {
-                sum += s[p*f.size + j]*c.tB[f.start + j];
-            }
-            for (int i = 0; i < D; ++i) force[a*D + i] += sum[dir[i]]/V[a];
-        }
-    });
-}
-
-
-template<int D, bool finite>
-void variationalKernelTemplate<D, finite>::addSurfacePressure
-(
-    const vertexData& d,
-    const dualPatch& patch,
-    const scalar pressure,
-    scalarField& force
-) const
-{
-    const scalar* V = d.dual.nodeVolume().cdata();
-    const scalar* X = d.dual.nodePosition().cdata();
-    const scalar* disp = d.state.disp.cdata();
-    patch.forFaces([&](const dualPatch::face& f)
-    {
-        scalar x[4*D], areas[4*D];
-        for (label p = 0; p < f.size; ++p)
-        {
-            const label a = patch.cornerNode[f.start + p];
-            for (int i = 0; i < D; ++i)
-            {
-                x[p*D + i] = X[a*D + i];
-                if constexpr (finite) x[p*D + i] += disp[a*D + i];
-            }
-        }
-        patch.cornerAreas(D, f, x, areas);
-        for (label p = 0; p < f.size; ++p)
-        {
-            const label a = patch.cornerNode[f.start + p];
-            const scalar perV = pressure/V[a];
-            for (int i = 0; i < D; ++i)
-            {
-                force[a*D + i] -= perV*areas[p*D + i];
-            }
-        }
-    });
 }
 
 
@@ -366,55 +254,47 @@ lanes variationalKernelTemplate<D, finite>::squaredFrequency
 
 
 template<int D, bool finite>
-lanes variationalKernelTemplate<D, finite>::timeScales
-(
-    const vertexData& d,
-    const variationalData& x,
-    const label first
-)
+lanes variationalKernelTemplate<D, finite>::timeScales(const label first) const
 {
-    const int n = min(label(nLanes), d.nNodes() - first);
+    const int n = min(label(nLanes), d_.nNodes() - first);
     lanes K[nK], F[nP], waves[nK];
     const stridedLanes K_(nK, n), waves_(sK, n), F_(nP, n), scalars(1, n);
     for (int k = 0; k < nK; ++k)
     {
-        K[k] = K_(x.geometricBound.cdata() + first*nK + k);
-        waves[k] = waves_(x.waves().cdata() + first*sK + k);
+        K[k] = K_(x_.geometricBound.cdata() + first*nK + k);
+        waves[k] = waves_(x_.waves().cdata() + first*sK + k);
     }
     for (int k = 0; k < nP; ++k)
     {
-        F[k] = F_(d.state.F.cdata() + first*nP + k);
+        F[k] = F_(d_.state.F.cdata() + first*nP + k);
     }
-    const lanes perV = scalars(x.perV.cdata() + first);
+    const lanes perV = scalars(x_.perV.cdata() + first);
     const lanes factor =
-        d.waveFactor.size()
-      ? scalars(d.waveFactor.cdata() + first)
+        d_.waveFactor.size()
+      ? scalars(d_.waveFactor.cdata() + first)
       : uniform<lanes>(1);
-    const lanes square = x.boundRatio*squaredFrequency(K, F, factor, d.cp);
+    const lanes square = x_.boundRatio*squaredFrequency(K, F, factor, d_.cp);
 
     const lanes damping =
-        (0.5*x.frontEpsilon)*perV*largestOf(waves);
+        (0.5*x_.frontEpsilon)*perV*largestOf(waves);
     return
-        (2*x.stepRatio)
+        (2*x_.stepRatio)
        *reciprocal(squareRoot(damping*damping + square) + damping);
 }
 
 
 template<int D, bool finite>
-scalar variationalKernelTemplate<D, finite>::largestBound
-(
-    const variationalData& x
-) const
+scalar variationalKernelTemplate<D, finite>::largestBound() const
 {
     lanes largest{};
-    const label n = x.geometricBound.size()/nK;
+    const label n = x_.geometricBound.size()/nK;
     for (label first = 0; first < n; first += nLanes)
     {
         lanes K[nK];
         const stridedLanes K_(nK, min(label(nLanes), n - first));
         for (int k = 0; k < nK; ++k)
         {
-            K[k] = K_(x.geometricBound.cdata() + first*nK + k);
+            K[k] = K_(x_.geometricBound.cdata() + first*nK + k);
         }
         largest = max(largest, largestOf(K));
     }
@@ -425,28 +305,19 @@ scalar variationalKernelTemplate<D, finite>::largestBound
 
 
 template<int D, bool finite>
-scalar variationalKernelTemplate<D, finite>::timeScale
-(
-    const vertexData& d,
-    const variationalData& x,
-    const label node
-) const
+scalar variationalKernelTemplate<D, finite>::timeScale(const label node) const
 {
-    return timeScales(d, x, node)[0];
+    return timeScales(node)[0];
 }
 
 
 template<int D, bool finite>
-scalar variationalKernelTemplate<D, finite>::timeScale
-(
-    const vertexData& d,
-    const variationalData& x
-) const
+scalar variationalKernelTemplate<D, finite>::timeScale() const
 {
     lanes least = uniform<lanes>(GREAT);
-    for (label a = 0; a < d.nNodes(); a += nLanes)
+    for (label a = 0; a < d_.nNodes(); a += nLanes)
     {
-        least = min(least, timeScales(d, x, a));
+        least = min(least, timeScales(a));
     }
     scalar shortest = GREAT;
     for (int l = 0; l < nLanes; ++l) shortest = min(shortest, least[l]);
@@ -456,28 +327,23 @@ scalar variationalKernelTemplate<D, finite>::timeScale
 
 template<int D, bool finite>
 template<class Function>
-void variationalKernelTemplate<D, finite>::forWeights
-(
-    const vertexData& d,
-    const variationalData& x,
-    const Function& f
-)
+void variationalKernelTemplate<D, finite>::forWeights(const Function& f) const
 {
-    const label* edge = d.dual.edgeNodes().cdata();
-    const scalar* area = d.edgeArea();
+    const label* edge = d_.dual.edgeNodes().cdata();
+    const scalar* area = d_.edgeArea();
     scalar g[D];
-    for (label e = 0; e < d.dual.nEdges(); ++e)
+    for (label e = 0; e < d_.dual.nEdges(); ++e)
     {
         for (int j = 0; j < D; ++j) g[j] = 0.5*area[D*e + j];
         f(edge[2*e], edge[2*e + 1], g);
         for (int j = 0; j < D; ++j) g[j] = -g[j];
         f(edge[2*e + 1], edge[2*e], g);
     }
-    for (label p = 0; p < x.pairNodes.size()/2; ++p)
+    for (label p = 0; p < x_.pairNodes.size()/2; ++p)
     {
-        const scalar* B = x.pairArea.cdata() + D*p;
-        f(x.pairNodes[2*p], x.pairNodes[2*p + 1], B);
-        f(x.pairNodes[2*p + 1], x.pairNodes[2*p], B);
+        const scalar* B = x_.pairArea.cdata() + D*p;
+        f(x_.pairNodes[2*p], x_.pairNodes[2*p + 1], B);
+        f(x_.pairNodes[2*p + 1], x_.pairNodes[2*p], B);
     }
 }
 
@@ -485,13 +351,11 @@ void variationalKernelTemplate<D, finite>::forWeights
 template<int D, bool finite>
 void variationalKernelTemplate<D, finite>::boundColumns
 (
-    const vertexData& d,
-    const variationalData& x,
     scalarField& sums
 ) const
 {
     sums = Zero;
-    forWeights(d, x, [&](const label a, const label b, const scalar* g)
+    forWeights([&](const label a, const label b, const scalar* g)
     {
         scalar gg = 0;
         for (int j = 0; j < D; ++j)
@@ -507,14 +371,12 @@ void variationalKernelTemplate<D, finite>::boundColumns
 template<int D, bool finite>
 void variationalKernelTemplate<D, finite>::boundRows
 (
-    const vertexData& d,
-    const variationalData& x,
     const scalarField& sums,
     scalarField& bound
 ) const
 {
-    const scalar* V = d.dual.nodeVolume().cdata();
-    const auto& owned = d.dual.sharing().owned();
+    const scalar* V = d_.dual.nodeVolume().cdata();
+    const auto& owned = d_.dual.sharing().owned();
     bound = Zero;
     const auto add = [&](const label a, const label b, const scalar* g)
     {
@@ -535,8 +397,8 @@ void variationalKernelTemplate<D, finite>::boundRows
             }
         }
     };
-    forWeights(d, x, add);
-    for (label a = 0; a < d.nNodes(); ++a)
+    forWeights(add);
+    for (label a = 0; a < d_.nNodes(); ++a)
     {
         if (owned[a]) add(a, a, sums.cdata() + a*(D + 1));
     }
@@ -546,18 +408,23 @@ void variationalKernelTemplate<D, finite>::boundRows
 // * * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * //
 
 template<int D>
-autoPtr<variationalKernel> newVariationalKernel(const vertexData& d)
+autoPtr<variationalKernel> newVariationalKernel
+(
+    vertexData& d,
+    variationalData& x
+)
 {
-    variationalKernel* k = nullptr;
     if (d.finiteStrain)
     {
-        k = new variationalKernelTemplate<D, true>();
+        return autoPtr<variationalKernel>
+        (
+            new variationalKernelTemplate<D, true>(d, x)
+        );
     }
-    else
-    {
-        k = new variationalKernelTemplate<D, false>();
-    }
-    return autoPtr<variationalKernel>(k);
+    return autoPtr<variationalKernel>
+    (
+        new variationalKernelTemplate<D, false>(d, x)
+    );
 }
 
 } // End namespace Foam

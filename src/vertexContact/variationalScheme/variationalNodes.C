@@ -17,23 +17,18 @@ namespace Foam
 {
 
 template<int D, bool finite>
-inline label variationalKernelTemplate<D, finite>::collectNode
-(
-    vertexData& d,
-    variationalData& x,
-    const index a
-)
+inline label variationalKernelTemplate<D, finite>::collectNode(const index a)
 {
-    const scalar perRho = 1/d.rho;
-    const scalar* lm = d.state.lm.cdata() + a*D;
-    const scalar* disp = d.state.disp.cdata() + a*D;
+    const scalar perRho = 1/d_.rho;
+    const scalar* lm = d_.state.lm.cdata() + a*D;
+    const scalar* disp = d_.state.disp.cdata() + a*D;
     if constexpr (D == 3)
     {
-        return collectNode3(d, x, a, threeAt(disp), perRho*threeAt(lm));
+        return collectNode3(a, threeAt(disp), perRho*threeAt(lm));
     }
     else
     {
-        scalar* U = x.U.data() + a*sU + atU;
+        scalar* U = x_.U.data() + a*sU + atU;
         label nBad = 0;
         for (int i = 0; i < D; ++i)
         {
@@ -41,7 +36,7 @@ inline label variationalKernelTemplate<D, finite>::collectNode
             nBad += !(mag(v) < VGREAT);
             U[i] = disp[i];
             U[second + i] = v;
-            if constexpr (D == 2) U[2*D + i] = x.acceleration[a*D + i];
+            if constexpr (D == 2) U[2*D + i] = x_.acceleration[a*D + i];
         }
         return nBad;
     }
@@ -51,14 +46,12 @@ inline label variationalKernelTemplate<D, finite>::collectNode
 template<int D, bool finite>
 inline label variationalKernelTemplate<D, finite>::collectNode3
 (
-    vertexData& d,
-    variationalData& x,
     const index a,
     const row<4>& disp,
     const row<4>& v
 )
 {
-    rowAt<8>(x.U.data() + a*sU) = joined(disp, v);
+    rowAt<8>(x_.U.data() + a*sU) = joined(disp, v);
     const auto good = (v < VGREAT) & (v > -VGREAT);
     return 4 + label(good[0] + good[1] + good[2] + good[3]);
 }
@@ -91,7 +84,6 @@ inline scalar variationalKernelTemplate<D, finite>::invert
 template<int D, bool finite>
 inline bool variationalKernelTemplate<D, finite>::deformRow
 (
-    variationalData& x,
     const index a,
     const row<8>& g
 )
@@ -101,12 +93,12 @@ inline bool variationalKernelTemplate<D, finite>::deformRow
       + row<4>{1, 0, 0, 1};
     const scalar det = H[0]*H[3] - H[1]*H[2];
     const row<4> inverse = H*(1/det);
-    rowAt<4>(x.inverse.data() + a*nP) = inverse;
+    rowAt<4>(x_.inverse.data() + a*nP) = inverse;
 
     // L_ij = sum_k dv_i/dX_k inverse_kj; derivatives of the displacement stay
     constexpr row<8> one = {1, 1, 0, 0, 1, 1, 0, 0};
     const row<8> per = joined(inverse, row<4>{});
-    rowAt<8>(x.grad.data() + a*D*sA) =
+    rowAt<8>(x_.grad.data() + a*D*sA) =
         picked<0, 1, 2, 3, 4, 5, 2, 3>(g)
        *(one + picked<8, 8, 0, 0, 8, 8, 1, 1>(per))
       + picked<8, 8, 6, 7, 8, 8, 6, 7>(g)*picked<8, 8, 2, 2, 8, 8, 3, 3>(per);
@@ -115,20 +107,16 @@ inline bool variationalKernelTemplate<D, finite>::deformRow
 
 
 template<int D, bool finite>
-inline bool variationalKernelTemplate<D, finite>::deformNode
-(
-    variationalData& x,
-    const index a
-)
+inline bool variationalKernelTemplate<D, finite>::deformNode(const index a)
 {
     if constexpr (!finite)
     {
         return true;
     }
-    scalar* g = x.grad.data() + a*D*sA;
+    scalar* g = x_.grad.data() + a*D*sA;
     if constexpr (D == 2 && finite)
     {
-        return deformRow(x, a, rowAt<8>(g));
+        return deformRow(a, rowAt<8>(g));
     }
     else if constexpr (D == 3 && finite)
     {
@@ -152,15 +140,10 @@ inline bool variationalKernelTemplate<D, finite>::deformNode
 
 
 template<int D, bool finite>
-inline void variationalKernelTemplate<D, finite>::takeForce
-(
-    vertexData& d,
-    const variationalData& x,
-    const index a
-)
+inline void variationalKernelTemplate<D, finite>::takeForce(const index a)
 {
-    const row<4> force = -2*rowAt<4>(x.sensor.cdata() + a*sS);
-    scalar* rates = d.rates.data() + a*sR;
+    const row<4> force = -2*rowAt<4>(x_.sensor.cdata() + a*sS);
+    scalar* rates = d_.rates.data() + a*sR;
     if constexpr (D == 2)
     {
         rowAt<4>(rates) = row<4>{force[2], force[3], 0, 0};
@@ -173,18 +156,14 @@ inline void variationalKernelTemplate<D, finite>::takeForce
 
 
 template<int D, bool finite>
-inline void variationalKernelTemplate<D, finite>::takeJumps
-(
-    variationalData& x,
-    const index a
-)
+inline void variationalKernelTemplate<D, finite>::takeJumps(const index a)
 {
-    scalar* c = x.adjoint.data() + a*D*sA;
+    scalar* c = x_.adjoint.data() + a*D*sA;
     if constexpr (D == 1)
     {
         zeroAt<sA>(c);
     }
-    else if (x.beta > 0)
+    else if (x_.beta > 0)
     {
         if constexpr (D == 2)
         {
@@ -205,15 +184,14 @@ inline void variationalKernelTemplate<D, finite>::takeJumps
 template<int D, bool finite>
 inline void variationalKernelTemplate<D, finite>::setJumpsAside
 (
-    variationalData& x,
     const label late
 )
 {
-    scalar* c = x.adjoint.data() + index(x.lateNodes[late])*D*sA;
+    scalar* c = x_.adjoint.data() + index(x_.lateNodes[late])*D*sA;
     if constexpr (D > 1)
     {
         scalar* jumps =
-            x.lateJumps.data() + late*variationalLayout::strideJump(D);
+            x_.lateJumps.data() + late*variationalLayout::strideJump(D);
         for (int j = 0; j < D; ++j)
         {
             for (int i = 0; i < D; ++i) jumps[j*second + i] = c[j*sA + i];
@@ -224,17 +202,13 @@ inline void variationalKernelTemplate<D, finite>::setJumpsAside
 
 
 template<int D, bool finite>
-inline void variationalKernelTemplate<D, finite>::addJumps
-(
-    variationalData& x,
-    const label late
-)
+inline void variationalKernelTemplate<D, finite>::addJumps(const label late)
 {
     if constexpr (D > 1)
     {
-        scalar* T = x.adjoint.data() + index(x.lateNodes[late])*D*sA;
+        scalar* T = x_.adjoint.data() + index(x_.lateNodes[late])*D*sA;
         const scalar* jumps =
-            x.lateJumps.cdata() + late*variationalLayout::strideJump(D);
+            x_.lateJumps.cdata() + late*variationalLayout::strideJump(D);
         for (int j = 0; j < D; ++j)
         {
             for (int i = 0; i < D; ++i) T[j*sA + i] += jumps[j*second + i];
@@ -259,38 +233,33 @@ inline row<4> variationalKernelTemplate<D, finite>::storeCofactor
 
 
 template<int D, bool finite>
-inline bool variationalKernelTemplate<D, finite>::moveNode
-(
-    vertexData& d,
-    variationalData& x,
-    const index a
-)
+inline bool variationalKernelTemplate<D, finite>::moveNode(const index a)
 {
-    scalar* F = d.state.F.data();
-    const scalar perV = x.perV[a];
-    scalar* sensor = x.sensor.data() + a*sS;
-    const row<4> squares = rowAt<4>(sensor + atSquares)*x.perEdges[a];
-    const scalar* g = x.grad.cdata() + a*D*sA;
-    const scalar* c = x.adjoint.cdata() + a*D*sA;
-    const bool holdsJumps = d.state.flow.jumpEnergy.size();
+    scalar* F = d_.state.F.data();
+    const scalar perV = x_.perV[a];
+    scalar* sensor = x_.sensor.data() + a*sS;
+    const row<4> squares = rowAt<4>(sensor + atSquares)*x_.perEdges[a];
+    const scalar* g = x_.grad.cdata() + a*D*sA;
+    const scalar* c = x_.adjoint.cdata() + a*D*sA;
+    const bool holdsJumps = d_.state.flow.jumpEnergy.size();
     if constexpr (D == 2)
     {
         row<8> sum = rowAt<8>(g);
-        if (x.beta > 0) sum += perV*rowAt<8>(c);
-        if (holdsJumps) d.state.flow.jumpEnergy[a] = perV*sensor[atJumps];
+        if (x_.beta > 0) sum += perV*rowAt<8>(c);
+        if (holdsJumps) d_.state.flow.jumpEnergy[a] = perV*sensor[atJumps];
         const row<4> f = picked<0, 4, 1, 5>(sum) + row<4>{1, 0, 0, 1};
         rowAt<4>(F + a*nP) = f;
         rowAt<8>(sensor) = joined(f, squares);
     }
     else if constexpr (D == 3)
     {
-        if (holdsJumps) d.state.flow.jumpEnergy[a] = perV*sensor[atJumps];
+        if (holdsJumps) d_.state.flow.jumpEnergy[a] = perV*sensor[atJumps];
         rowAt<4>(sensor + atSquares) = squares;
         row<4> f[D];
         for (int j = 0; j < D; ++j)
         {
             f[j] = rowAt<4>(g + j*sA);
-            if (x.beta > 0) f[j] += perV*rowAt<4>(c + j*sA);
+            if (x_.beta > 0) f[j] += perV*rowAt<4>(c + j*sA);
         }
         f[0] += row<4>{1, 0, 0, 0};
         f[1] += row<4>{0, 1, 0, 0};
@@ -299,23 +268,23 @@ inline bool variationalKernelTemplate<D, finite>::moveNode
         if constexpr (finite)
         {
             // Overwrite L, which the corrections have used
-            const row<4> H = storeCofactor(x.grad.data() + a*D*sA, f);
+            const row<4> H = storeCofactor(x_.grad.data() + a*D*sA, f);
             const scalar J = dotOfThree(f[0], H);
-            if (x.smoothed) x.jacobian[a] = J;
+            if (x_.smoothed) x_.jacobian[a] = J;
             return J > 0;
         }
     }
     else
     {
         rowAt<4>(sensor + atSquares) = squares;
-        F[a] = 1 + (x.beta > 0 ? g[0] + perV*c[0] : g[0]);
+        F[a] = 1 + (x_.beta > 0 ? g[0] + perV*c[0] : g[0]);
     }
 
     if constexpr (finite)
     {
         const SolidTensor<D> f = loadF<D>(F, a);
         const scalar J = determinant(f);
-        if (x.smoothed) x.jacobian[a] = J;
+        if (x_.smoothed) x_.jacobian[a] = J;
         return J > 0;
     }
     else
@@ -331,16 +300,11 @@ inline bool variationalKernelTemplate<D, finite>::moveNode
 
 
 template<int D, bool finite>
-inline void variationalKernelTemplate<D, finite>::stressNode
-(
-    variationalData& x,
-    const vertexData& d,
-    const index a
-)
+inline void variationalKernelTemplate<D, finite>::stressNode(const index a)
 {
-    const scalar* P = d.W.cdata() + d.offsetP() + a*d.strideW;
-    const scalar perV = x.perV[a];
-    scalar* T = x.adjoint.data() + a*D*sA;
+    const scalar* P = d_.W.cdata() + d_.offsetP() + a*d_.strideW;
+    const scalar perV = x_.perV[a];
+    scalar* T = x_.adjoint.data() + a*D*sA;
     if constexpr (D == 2)
     {
         // Each row has both columns
@@ -350,7 +314,7 @@ inline void variationalKernelTemplate<D, finite>::stressNode
             // Z (G x)^-T
             constexpr row<8> one = {1, 1, 0, 0, 1, 1, 0, 0};
             const row<8> inverse =
-                joined(rowAt<4>(x.inverse.cdata() + a*nP), row<4>{});
+                joined(rowAt<4>(x_.inverse.cdata() + a*nP), row<4>{});
             sum =
                 picked<0, 1, 2, 3, 4, 5, 2, 3>(sum)
                *(one + picked<8, 8, 0, 0, 8, 8, 2, 2>(inverse))
@@ -364,7 +328,7 @@ inline void variationalKernelTemplate<D, finite>::stressNode
     else if constexpr (D == 3)
     {
         row<4> Z[D] = {}, inverse[3];
-        if constexpr (finite) invert(inverse, x.grad.cdata() + a*D*sA);
+        if constexpr (finite) invert(inverse, x_.grad.cdata() + a*D*sA);
         for (int k = 0; k < D; ++k)
         {
             const row<4> z = rowAt<4>(T + k*sA + second);
@@ -390,7 +354,7 @@ inline void variationalKernelTemplate<D, finite>::stressNode
     else
     {
         T[0] = P[0] + perV*T[0];
-        T[second] *= finite ? perV/(1 + x.grad[a*sA]) : perV;
+        T[second] *= finite ? perV/(1 + x_.grad[a*sA]) : perV;
     }
 }
 

@@ -24,8 +24,7 @@ class removedShare
 {
     // Private data
 
-        const variationalKernel& kernel_;
-        const vertexData& d_;
+        const medianDual& dual_;
         variationalData& x_;
 
 
@@ -35,15 +34,9 @@ public:
 
     // Constructors
 
-        removedShare
-        (
-            const variationalKernel& kernel,
-            const vertexData& d,
-            variationalData& x
-        )
+        removedShare(const medianDual& dual, variationalData& x)
         :
-            kernel_(kernel),
-            d_(d),
+            dual_(dual),
             x_(x)
         {}
 
@@ -57,17 +50,16 @@ public:
             scalar sum = 0;
             forAll(u, a)
             {
-                if (d_.dual.sharing().owned()[a]) sum += u[a]*v[a];
+                if (dual_.sharing().owned()[a]) sum += u[a]*v[a];
             }
             return returnReduce(sum, sumOp<scalar>());
         }
 
         void apply(const scalarField& u, scalarField& y) const
         {
-            const auto& volume = d_.dual.nodeVolume();
+            const auto& volume = dual_.nodeVolume();
             forAll(u, a) x_.jacobian[a] = u[a]/std::sqrt(volume[a]);
-            kernel_.smooth(x_, d_);
-            d_.dual.sharing().sum(x_.average.data(), 1);
+            x_.smooth(dual_);
             forAll(y, a) y[a] = -std::sqrt(volume[a])*x_.average[a];
         }
 };
@@ -110,12 +102,12 @@ void Foam::variationalScheme::boundFrequencies()
     const label n = dual_.nNodes();
 
     scalarField sums(n*(d + 1));
-    kernel_.boundColumns(data_, x_, sums);
+    kernel_->boundColumns(sums);
     dual_.sharing().sum(sums.data(), d + 1);
-    kernel_.boundRows(data_, x_, sums, x_.geometricBound);
+    kernel_->boundRows(sums, x_.geometricBound);
     dual_.sharing().sum(x_.geometricBound.data(), d*(d + 1)/2);
     const scalar largest =
-        returnReduce(kernel_.largestBound(x_), maxOp<scalar>());
+        returnReduce(kernel_->largestBound(), maxOp<scalar>());
 
     for (label e = 0; e < 2*dual_.nEdges(); ++e)
     {
@@ -150,8 +142,7 @@ void Foam::variationalScheme::smoothJacobian()
     const auto removed = [&]
     {
         // w (1 - M)
-        kernel_.smooth(x_, data_);
-        dual_.sharing().sum(x_.average.data(), 1);
+        x_.smooth(dual_);
         for (scalar& r : x_.average) r *= -x_.filter;
     };
     x_.unsmoothed = x_.jacobian;
@@ -167,7 +158,7 @@ void Foam::variationalScheme::smoothJacobian()
 
 void Foam::variationalScheme::findFilter()
 {
-    removedShare removed(kernel_, data_, x_);
+    removedShare removed(dual_, x_);
     const scalar largest = lanczos::largestOf(removed, data_, lanczos::steps);
 
     // With equal cells it may be whole hundredths, but for round-off
@@ -183,7 +174,7 @@ void Foam::variationalScheme::start()
     nextRun_ = earlyRuns_.size();
     nBad_ = passTimes::timed(passTimes::velocities, [&]
     {
-        return collected_ ? nBadCollected_ : kernel_.collect(data_, x_);
+        return collected_ ? nBadCollected_ : kernel_->collect();
     });
     collected_ = false;
 }
@@ -211,7 +202,7 @@ void Foam::variationalScheme::run(const label p, edgePass& pass)
         {
             nBad_ += times::timed(times::gradients, [&]
             {
-                return kernel_.gradients(x_, data_, pass);
+                return kernel_->gradients(pass);
             });
             break;
         }
@@ -219,24 +210,18 @@ void Foam::variationalScheme::run(const label p, edgePass& pass)
         {
             nBad_ += times::timed(times::corrections, [&]
             {
-                return kernel_.correct(data_, x_, pass);
+                return kernel_->correct(pass);
             });
             break;
         }
         case fluxes:
         {
-            times::timed(times::fluxes, [&]
-            {
-                kernel_.fluxes(data_, x_, pass);
-            });
+            times::timed(times::fluxes, [&] { kernel_->fluxes(pass); });
             break;
         }
         default:
         {
-            times::timed(times::forces, [&]
-            {
-                kernel_.forces(data_, x_, pass);
-            });
+            times::timed(times::forces, [&] { kernel_->forces(pass); });
         }
     }
 }
@@ -406,7 +391,7 @@ void Foam::variationalScheme::completeLate
         {
             complete(x_.grad, 0);
             complete(x_.grad, variationalLayout::second(d));
-            return kernel_.deform(x_, first, end);
+            return kernel_->deform(first, end);
         });
     }
     else if (p == corrections)
@@ -421,7 +406,7 @@ void Foam::variationalScheme::completeLate
                     x_.adjoint, variationalLayout::atJump(d, x_.beta > 0)
                 );
             }
-            return kernel_.kinematics(data_, x_, first, end);
+            return kernel_->kinematics(first, end);
         });
     }
     else
@@ -430,7 +415,7 @@ void Foam::variationalScheme::completeLate
         {
             complete(x_.adjoint, 0);
             complete(x_.adjoint, variationalLayout::second(d));
-            kernel_.stresses(x_, data_, first, end);
+            kernel_->stresses(first, end);
         });
     }
 }
@@ -498,7 +483,7 @@ void Foam::variationalScheme::smoothPressure()
             x_.jacobian[a] = data_.W[a*data_.strideW + data_.offsetSJ()];
         }
         smoothJacobian();
-        kernel_.addPressure(data_, x_);
+        kernel_->addPressure();
     });
 }
 
@@ -508,7 +493,6 @@ void Foam::variationalScheme::smoothPressure()
 Foam::variationalScheme::variationalScheme
 (
     vertexData& data,
-    const variationalKernel& kernel,
     const materialModel& material,
     const symmetryConstraint& symmetry,
     const schemeOptions& options,
@@ -517,14 +501,14 @@ Foam::variationalScheme::variationalScheme
 :
     data_(data),
     dual_(data.dual),
-    kernel_(kernel),
     material_(material),
     symmetry_(symmetry),
     x_
     (
         data, options.correction, options.dissipation,
         options.frontDissipation, data.state.solvesJ
-    )
+    ),
+    kernel_(variationalKernel::New(data_, x_))
 {
     for (const dualPatch& patch : dual_.patches())
     {
@@ -568,7 +552,6 @@ Foam::variationalScheme::variationalScheme
 }
 
 
-
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::label Foam::variationalScheme::deform()
@@ -609,12 +592,12 @@ Foam::label Foam::variationalScheme::computeForces(const bool wavesAnew)
 
 Foam::scalar Foam::variationalScheme::boundOfStep()
 {
-    kernel_.sumWaves(data_, x_);
+    kernel_->sumWaves();
     dual_.sharing().sum
     (
         x_.waves().data(), variationalLayout::strideWaves(dual_.nDim())
     );
-    return kernel_.timeScale(data_, x_);
+    return kernel_->timeScale();
 }
 
 
@@ -659,7 +642,7 @@ Foam::label Foam::variationalScheme::closingNode() const
 
 void Foam::variationalScheme::move(const scalar deltaT, const scalar half)
 {
-    nBadCollected_ = kernel_.move(data_, x_, deltaT, half);
+    nBadCollected_ = kernel_->move(deltaT, half);
     collected_ = true;
 }
 

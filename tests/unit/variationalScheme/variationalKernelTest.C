@@ -45,7 +45,7 @@ struct scheme
     const medianDual dual;
     vertexData d;
     variationalData x;
-    const autoPtr<variationalKernel> kernel;
+    autoPtr<variationalKernel> kernel;
     const label nDim;
     const label n;
 
@@ -63,7 +63,7 @@ struct scheme
             limiterType::none, 1, 2, 3, 1.5
         ),
         x(d, beta, 0.5, 1, false),
-        kernel(variationalKernel::New(d)),
+        kernel(variationalKernel::New(d, x)),
         nDim(dual.nDim()),
         n(dual.nNodes())
     {
@@ -79,12 +79,12 @@ struct scheme
     void deform()
     {
         edgePass gradients(dual.nEdges()), corrections(dual.nEdges());
-        kernel->collect(d, x);
+        kernel->collect();
         const label nLate = x.lateNodes.size();
-        kernel->gradients(x, d, gradients);
-        kernel->deform(x, 0, nLate);
-        kernel->correct(d, x, corrections);
-        kernel->kinematics(d, x, 0, nLate);
+        kernel->gradients(gradients);
+        kernel->deform(0, nLate);
+        kernel->correct(corrections);
+        kernel->kinematics(0, nLate);
     }
 
     //- Complete those of the late nodes first to end - 1 that pass p
@@ -97,9 +97,9 @@ struct scheme
         for (label i = first; i < end; ++i)
         {
             if (x.early.completes(p, x.lateNodes[i]) != early) continue;
-            if (p == 0) kernel->deform(x, i, i + 1);
-            else if (p == 1) kernel->kinematics(d, x, i, i + 1);
-            else kernel->stresses(x, d, i, i + 1);
+            if (p == 0) kernel->deform(i, i + 1);
+            else if (p == 1) kernel->kinematics(i, i + 1);
+            else kernel->stresses(i, i + 1);
         }
     }
 
@@ -110,9 +110,9 @@ struct scheme
         {
             edgePass pass;
             pass.early = true;
-            if (p == 0) kernel->gradients(x, d, pass);
-            else if (p == 1) kernel->correct(d, x, pass);
-            else kernel->fluxes(d, x, pass);
+            if (p == 0) kernel->gradients(pass);
+            else if (p == 1) kernel->correct(pass);
+            else kernel->fluxes(pass);
             completeLate(p, 0, x.lateNodes.size(), true);
         }
     }
@@ -127,13 +127,13 @@ struct scheme
         edgePass passes[4] =
             {edgePass(-1), edgePass(-1), edgePass(-1), edgePass(-1)};
         Pair<label> widest(0, 0);
-        kernel->collect(d, x);
+        kernel->collect();
         if (x.early.any()) doEarly();
         while (passes[3].end < all)
         {
             passes[0].end = min(max(passes[0].end, label(0)) + nLanes, all);
             label late = passes[0].late;
-            kernel->gradients(x, d, passes[0]);
+            kernel->gradients(passes[0]);
             completeLate(0, late, passes[0].late, false);
             for (label p = 1; p < 4; ++p)
             {
@@ -148,9 +148,9 @@ struct scheme
                     widest.second(), passes[1].end - max(passes[2].edge, 0)
                 );
                 late = passes[p].late;
-                if (p == 1) kernel->correct(d, x, passes[p]);
-                else if (p == 2) kernel->fluxes(d, x, passes[p]);
-                else kernel->forces(d, x, passes[p]);
+                if (p == 1) kernel->correct(passes[p]);
+                else if (p == 2) kernel->fluxes(passes[p]);
+                else kernel->forces(passes[p]);
                 if (p < 3) completeLate(p, late, passes[p].late, false);
             }
             widest.first() = max
@@ -219,9 +219,9 @@ struct scheme
     scalarField forces()
     {
         edgePass fluxes(dual.nEdges()), forces(dual.nEdges());
-        kernel->fluxes(d, x, fluxes);
-        kernel->stresses(x, d, 0, x.lateNodes.size());
-        kernel->forces(d, x, forces);
+        kernel->fluxes(fluxes);
+        kernel->stresses(0, x.lateNodes.size());
+        kernel->forces(forces);
         return rates();
     }
 
@@ -619,12 +619,12 @@ TEST_CASE("bound of the step of flattened cells", "[variational][serial]")
         // As variationalScheme, but for the dissipation
         s.x.jumpModulus = 0.3;
         scalarField sums(n*(d + 1));
-        s.kernel->boundColumns(s.d, s.x, sums);
-        s.kernel->boundRows(s.d, s.x, sums, s.x.geometricBound);
+        s.kernel->boundColumns(sums);
+        s.kernel->boundRows(sums, s.x.geometricBound);
         s.x.boundRatio =
             stepLimit(s.d, s.x, symmetryConstraint(s.dual, labelList()))
            .squaredFrequency()
-           /(sqr(s.d.cp)*s.kernel->largestBound(s.x));
+           /(sqr(s.d.cp)*s.kernel->largestBound());
 
         for (label thin = 0; thin < d; ++thin)
         {
@@ -651,7 +651,7 @@ TEST_CASE("bound of the step of flattened cells", "[variational][serial]")
             scalar step = GREAT;
             for (label a = 0; a < n; ++a)
             {
-                step = min(step, s.kernel->timeScale(s.d, s.x, a));
+                step = min(step, s.kernel->timeScale(a));
             }
 
             // Stiffness of the flattened body
