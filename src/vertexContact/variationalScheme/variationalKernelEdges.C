@@ -16,10 +16,113 @@ Description
 #include "edgeRows.H"
 #include "variationalEdge.H"
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 namespace Foam
 {
+
+//- Gradients from edges and pairs: the sums of their first node, in registers
+//  until another node is first. In 2D both columns are one row, doubled until
+//  the node is complete
+template<int D, bool finite>
+class variationalKernelTemplate<D, finite>::gradientSums
+{
+    static constexpr int w = D == 2 ? 8 : sA;
+    static constexpr int nC = D == 2 ? 1 : D;
+
+    // Private data
+
+        const scalar* U_;
+        scalar* grad_;
+        const scalar* perV_;
+
+        index node_ = -1;
+        row<w> Ua_{};
+        row<w> sums_[nC] = {};
+
+
+    // Private Member Functions
+
+        row<w> U(const index a) const
+        {
+            if constexpr (D == 2) return twiceAt(U_ + a*sU + atU);
+            else return rowAt<w>(U_ + a*sU);
+        }
+
+        row<w>& at(const index a, const int j) const
+        {
+            return rowAt<w>(grad_ + a*D*sA + j*w);
+        }
+
+
+public:
+
+    explicit gradientSums(variationalData& x)
+    :
+        U_(x.U.cdata()),
+        grad_(x.grad.data()),
+        perV_(x.perV.cdata())
+    {}
+
+    //- Set the initial sums of a node
+    void begin(const index a) const { zeroAt<sA*D>(grad_ + a*D*sA); }
+
+    //- Prefetch a node that edges will reach
+    void fetch(const index a) const { prefetch<sU>(U_ + a*sU); }
+    void fetchSums(const index a) const { prefetch<sA*D>(grad_ + a*D*sA); }
+
+    //- Both columns of the first node in 2D
+    const row<w>& both() const { return sums_[0]; }
+
+    //- Write the sums
+    __attribute__((always_inline))
+    inline void keep() const
+    {
+        if (node_ < 0) return;
+        for (int j = 0; j < nC; ++j) at(node_, j) = sums_[j];
+    }
+
+    //- Start with the first node of an edge or pair, if it is another one
+    __attribute__((always_inline))
+    inline void comeTo(const index a)
+    {
+        if (a == node_) return;
+        keep();
+        node_ = a;
+        Ua_ = U(a);
+        for (int j = 0; j < nC; ++j) sums_[j] = at(a, j);
+    }
+
+    //- Add an edge or a pair from the first node to b.
+    //  \param C  area of the edge, in lanes, or weight of the pair
+    template<bool isPair>
+    __attribute__((always_inline))
+    inline void add(const index b, const scalar* C)
+    {
+        constexpr int stride = isPair ? 1 : nLanes;
+        constexpr scalar factor = (isPair ? 2 : 1)*(D == 2 ? 1 : 0.5);
+        const row<w> change = factor*(U(b) - Ua_);
+        for (int j = 0; j < nC; ++j)
+        {
+            row<w> by;
+            if constexpr (D == 2) by = change*halves(C[0], C[stride]);
+            else by = change*C[j*stride];
+            sums_[j] += by;
+            if constexpr (isPair) at(b, j) -= by;
+            else at(b, j) += by;
+        }
+    }
+
+    //- Complete and write the gradient of the first node
+    __attribute__((always_inline))
+    inline void complete()
+    {
+        const scalar factor = D == 2 ? 0.5*perV_[node_] : perV_[node_];
+        for (int j = 0; j < nC; ++j) at(node_, j) = sums_[j] *= factor;
+        node_ = -1;
+    }
+};
+
 
 template<int D, bool finite>
 label variationalKernelTemplate<D, finite>::earlyGradients(const edgePass& pass)
@@ -27,92 +130,52 @@ label variationalKernelTemplate<D, finite>::earlyGradients(const edgePass& pass)
     constexpr label p = earlyEdges::gradients;
     const earlyEdges& early = x_.early;
     const label* edge = d_.dual.edgeNodes().cdata();
-    scalar* grad = x_.grad.data();
+    gradientSums sums(x_);
 
-    // The sums of the first node, in registers until another node is first. In
-    // 2D both columns are one row, and twice the sum, as in gradientLoop()
-    constexpr int w = D == 2 ? 8 : sA;
-    constexpr int nC = D == 2 ? 1 : D;
-    const scalar half = D == 2 ? 1 : 0.5;
-    const auto U = [&](const index a)
-    {
-        if constexpr (D == 2) return twiceAt(x_.U.cdata() + a*sU + atU);
-        else return rowAt<sA>(x_.U.cdata() + a*sU);
-    };
-    const auto sumAt = [&](const index a, const int j) -> auto&
-    {
-        return rowAt<w>(grad + a*D*sA + j*w);
-    };
-    index node = -1;
-    row<w> Ua{}, sums[nC] = {};
-    const auto keep = [&]()
-    {
-        if (node < 0) return;
-        for (int j = 0; j < nC; ++j) sumAt(node, j) = sums[j];
-    };
-    const auto add = [&]
-    (
-        const index a, const index b, const scalar* C, const int stride,
-        const scalar toA, const scalar toB
-    )
-    {
-        if (a != node)
-        {
-            keep();
-            node = a;
-            Ua = U(a);
-            for (int j = 0; j < nC; ++j) sums[j] = sumAt(a, j);
-        }
-        const row<w> change = U(b) - Ua;
-        for (int j = 0; j < nC; ++j)
-        {
-            row<w> by;
-            if constexpr (D == 2) by = change*halves(C[0], C[stride]);
-            else by = change*C[j*stride];
-            sums[j] += toA*by;
-            sumAt(b, j) += toB*by;
-        }
-    };
-
-    for (const index a : early.reached(p)) zeroAt<sA*D>(grad + a*D*sA);
+    for (const index a : early.reached(p)) sums.begin(a);
     for (const index pair : early.pairs())
     {
-        const label* ends = x_.pairNodes.cdata() + 2*pair;
-        const scalar* B = x_.pairArea.cdata() + D*pair;
-        add(ends[0], ends[1], B, 1, 2*half, -2*half);
+        sums.comeTo(x_.pairNodes[2*pair]);
+        sums.template add<true>
+        (
+            x_.pairNodes[2*pair + 1], x_.pairArea.cdata() + D*pair
+        );
     }
     edgeBlocks block(d_.dual, x_.toMeet, pass, &early, p);
     for (; block.valid(); ++block)
     {
         block.soon([&](const index b)
         {
-            prefetch<sU>(x_.U.cdata() + b*sU);
-            prefetch<sA*D>(grad + b*D*sA);
+            sums.fetch(b);
+            sums.fetchSums(b);
         });
         const index first = block.first();
         for (index e = first; e < first + block.size(); ++e)
         {
-            const scalar* C = variationalLayout::ofEdge<D>(x_.area, e);
-            add(edge[2*e], edge[2*e + 1], C, nLanes, half, half);
+            sums.comeTo(edge[2*e]);
+            sums.template add<false>
+            (
+                edge[2*e + 1], variationalLayout::ofEdge<D>(x_.area, e)
+            );
         }
     }
-    keep();
 
-    const auto divide = [&](const index a)
+    const auto complete = [&](const index a)
     {
-        const scalar factor = D == 2 ? 0.5*x_.perV[a] : x_.perV[a];
-        for (int j = 0; j < nC; ++j) sumAt(a, j) *= factor;
+        sums.comeTo(a);
+        sums.complete();
     };
     label nBad = 0;
     for (const index a : x_.lateNodes)
     {
-        if (early.completes(p, a)) divide(a);
+        if (early.completes(p, a)) complete(a);
     }
     for (const index a : early.nodes(p))
     {
-        divide(a);
+        complete(a);
         nBad += !deformNode(a);
     }
+    sums.keep();
     return nBad;
 }
 
@@ -121,13 +184,12 @@ template<int D, bool finite>
 template<bool leavesOut>
 label variationalKernelTemplate<D, finite>::gradientLoop(edgePass& pass)
 {
-    const label* edge = d_.dual.edgeNodes().cdata();
-    const scalar* U = x_.U.cdata();
-    const label nEdges = d_.dual.nEdges();
-    const label nPairs = x_.pairNodes.size()/2;
-    scalar* grad = x_.grad.data();
     constexpr label p = earlyEdges::gradients;
     const earlyEdges& early = x_.early;
+    const label* edge = d_.dual.edgeNodes().cdata();
+    const label nEdges = d_.dual.nEdges();
+    const label nPairs = x_.pairNodes.size()/2;
+    gradientSums sums(x_);
 
     // Edges and pairs are sorted by their first node: a node is complete after
     // the last edge and pair that start there
@@ -141,134 +203,59 @@ label variationalKernelTemplate<D, finite>::gradientLoop(edgePass& pass)
         complete.before(end, [&](const index a)
         {
             if (leavesOut && early.completes(p, a)) return;
-            nBad += !deformNode(a);
+            // In 2D it is the last one, with its columns still in registers
+            if constexpr (D == 2 && finite) nBad += !deformRow(a, sums.both());
+            else nBad += !deformNode(a);
         });
     };
     const auto meet = [&](const index end)
     {
         for (; met < end; ++met)
         {
-            prefetch<sU>(U + met*sU);
-            if (leavesOut && early.reaches(p, met)) continue;
-            zeroAt<sA*D>(grad + met*D*sA);
+            sums.fetch(met);
+            if (!leavesOut || !early.reaches(p, met)) sums.begin(met);
         }
     };
-    const auto leave = [&]()
-    {
-        pass.edge = e;
-        pass.pair = pair;
-        pass.met = met;
-    };
-    // Leaves out a node that is complete early: its edges and pairs are done
-    const auto passedBy = [&](const index a)
-    {
-        if (!leavesOut || !early.completes(p, a)) return false;
-        while (pair < nPairs && x_.pairNodes[2*pair] == a) ++pair;
-        while (e < nEdges && edge[2*e] == a) ++e;
-        return true;
-    };
-    if constexpr (D == 2)
-    {
-        // One row has both columns, doubled until the node is complete
-        const auto twice = [&](const index a)
-        {
-            return twiceAt(U + a*sU + atU);
-        };
-        label nextLate = pass.late;
-        const label nLate = x_.lateNodes.size();
-        for (index a = start; a < end; ++a)
-        {
-            meet(e < nEdges ? x_.toMeet[e/nLanes] : d_.nNodes());
-            const bool late = nextLate < nLate && x_.lateNodes[nextLate] == a;
-            nextLate += late;
-            if (passedBy(a)) continue;
-            const row<8> Ua = twice(a);
-            row<8> sum = rowAt<8>(grad + a*8);
-            for (; pair < nPairs && x_.pairNodes[2*pair] == a; ++pair)
-            {
-                const index b = x_.pairNodes[2*pair + 1];
-                if (leavesOut && early.completes(p, b)) continue;
-                const scalar* B = x_.pairArea.cdata() + D*pair;
-                meet(b + 1);
-                const row<8> change = (twice(b) - Ua)*halves(2*B[0], 2*B[1]);
-                sum += change;
-                rowAt<8>(grad + b*8) -= change;
-            }
-            for (; e < nEdges && edge[2*e] == a; ++e)
-            {
-                if (leavesOut && early.hasEdge(p, e)) continue;
-                const index b = edge[2*e + 1];
-                meet(b + 1);
-                const scalar* C = variationalLayout::ofEdge<D>(x_.area, e);
-                const row<8> change = (twice(b) - Ua)*halves(C[0], C[nLanes]);
-                sum += change;
-                rowAt<8>(grad + b*8) += change;
-            }
-            sum *= 0.5*x_.perV[a];
-            if (late)
-            {
-                rowAt<8>(grad + a*8) = sum;
-            }
-            else if constexpr (finite)
-            {
-                nBad += !deformRow(a, sum);
-            }
-            else
-            {
-                rowAt<8>(grad + a*8) = sum;
-            }
-        }
-        pass.late = nextLate;
-        pass.complete = end;
-        leave();
-        return nBad;
-    }
     for (index a = start; a < end; ++a)
     {
         meet(e < nEdges ? x_.toMeet[e/nLanes] : d_.nNodes());
-        if (passedBy(a)) continue;
-        scalar* ga = grad + a*D*sA;
-        const row<sA> Ua = rowAt<sA>(U + a*sU);
+        if (leavesOut && early.completes(p, a))
+        {
+            // Its edges and pairs are done
+            while (pair < nPairs && x_.pairNodes[2*pair] == a) ++pair;
+            while (e < nEdges && edge[2*e] == a) ++e;
+            continue;
+        }
+        sums.comeTo(a);
         for (; pair < nPairs && x_.pairNodes[2*pair] == a; ++pair)
         {
             const index b = x_.pairNodes[2*pair + 1];
             if (leavesOut && early.completes(p, b)) continue;
-            const scalar* B = x_.pairArea.cdata() + D*pair;
             meet(b + 1);
-            const row<sA> change = rowAt<sA>(U + b*sU) - Ua;
-            for (int j = 0; j < D; ++j)
-            {
-                rowAt<sA>(ga + j*sA) += change*B[j];
-                rowAt<sA>(grad + (b*D + j)*sA) -= change*B[j];
-            }
+            sums.template add<true>(b, x_.pairArea.cdata() + D*pair);
         }
-
-        row<sA> sumA[D];
-        for (int j = 0; j < D; ++j) sumA[j] = rowAt<sA>(ga + j*sA);
         for (; e < nEdges && edge[2*e] == a; ++e)
         {
             if (leavesOut && early.hasEdge(p, e)) continue;
             const index b = edge[2*e + 1];
             meet(b + 1);
-            scalar* gb = grad + b*D*sA;
-            const scalar* C = variationalLayout::ofEdge<D>(x_.area, e);
-            const row<sA> half = 0.5*(rowAt<sA>(U + b*sU) - Ua);
-            for (int j = 0; j < D; ++j)
-            {
-                sumA[j] += half*C[j*nLanes];
-                rowAt<sA>(gb + j*sA) += half*C[j*nLanes];
-            }
+            sums.template add<false>
+            (
+                b, variationalLayout::ofEdge<D>(x_.area, e)
+            );
         }
-
-        const scalar perV = x_.perV[a];
-        for (int j = 0; j < D; ++j) rowAt<sA>(ga + j*sA) = sumA[j]*perV;
-        if (a % nLanes == nLanes - 1) completeBefore(a + 1);
+        sums.complete();
+        if (D == 2 || a % nLanes == nLanes - 1) completeBefore(a + 1);
     }
     completeBefore(end);
-    leave();
+    pass.edge = e;
+    pass.pair = pair;
+    pass.met = met;
     return nBad;
 }
 
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 template<int D, bool finite>
 label variationalKernelTemplate<D, finite>::gradients(edgePass& pass)
