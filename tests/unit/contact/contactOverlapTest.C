@@ -118,7 +118,7 @@ DynamicList<contactOverlap> overlapsOf
     DynamicList<contactOverlap> overlaps;
     contactOverlaps::append
     (
-        a, b, up, overlapNormal(), vector::zero, 3, joined, overlaps
+        a, b, up, overlapNormal(), joined, overlaps
     );
     return overlaps;
 }
@@ -276,7 +276,7 @@ TEST_CASE("Faces that got inside each other past their rims", "[contact]")
     const contactFace plus(squareAt(1 - strip, 0, -up));
     const auto beside = [&](const contactFace& a, const contactFace& b)
     {
-        return contactOverlaps::beside(a, b, up, vector::zero, 3);
+        return contactOverlaps::beside(a, b, up);
     };
     REQUIRE(beside(minus, plus) == (high > 0 && strip < 0.3));
 
@@ -290,6 +290,7 @@ TEST_CASE("Faces that got inside each other past their rims", "[contact]")
         contactFace f;
         f.size = 2;
         f.n = f.N = n;
+        f.out = vector(0, 0, 1);
         f.x[0] = f.X[0] = point(x, y, 0);
         f.x[1] = f.X[1] = point(x + 1, y, 0);
         f.depth = 1;
@@ -301,8 +302,7 @@ TEST_CASE("Faces that got inside each other past their rims", "[contact]")
     (
         contactOverlaps::beside
         (
-            lineAt(0, high, upwards), lineAt(1 - strip, 0, -upwards), upwards,
-            vector(0, 0, 1), 2
+            lineAt(0, high, upwards), lineAt(1 - strip, 0, -upwards), upwards
         ) == (high > 0 && strip < 0.3)
     );
 }
@@ -529,7 +529,7 @@ vector normalOf
 {
     vector n;
     REQUIRE(contactOverlaps::commonNormal(minus.n, plus.n, n));
-    which = contactOverlaps::normalOf(minus, plus, vector::zero, 3, n);
+    which = contactOverlaps::normalOf(minus, plus, n);
     CHECK(mag(n) == Approx(1));
 
     // The other side sees the same
@@ -537,7 +537,7 @@ vector normalOf
     contactOverlaps::commonNormal(plus.n, minus.n, opposite);
     const overlapNormal its
     (
-        contactOverlaps::normalOf(plus, minus, vector::zero, 3, opposite)
+        contactOverlaps::normalOf(plus, minus, opposite)
     );
     CHECK(mag(n + opposite) < 1e-12);
     CHECK(its.minus == which.plus);
@@ -700,7 +700,7 @@ TEST_CASE("The area of an overlap at an edge is what its normal sees of it")
     DynamicList<contactOverlap> overlaps;
     contactOverlaps::append
     (
-        below, above, up, normal, vector::zero, 3, true, overlaps
+        below, above, up, normal, true, overlaps
     );
     scalar minus = 0, plus = 0;
     for (const contactOverlap& o : overlaps)

@@ -33,7 +33,7 @@ Foam::contactSide Foam::bodyInterface::readSide
 
 void Foam::bodyInterface::setOverlaps()
 {
-    setExchange();
+    alone_.set(List<bodyInterface*>(1, this));
     setKernel();
 }
 
@@ -81,7 +81,7 @@ void Foam::bodyInterface::setKernel()
         {
             plus[i] = plus_.body->meshPoint(plusNode[plusCorners[i]]);
         }
-        exchange_.toSlots(plus);
+        alone_.exchange.toSlots(plus);
     }
 
     const labelList& minusNode = minus_.geometry().cornerNode;
@@ -250,13 +250,6 @@ bool Foam::bodyInterface::update(const scalar time, const bool all)
 }
 
 
-void Foam::bodyInterface::setExchange()
-{
-    const contactPairing* pairing = &*pairing_;
-    exchange_.set(UList<const contactPairing*>(&pairing, 1));
-}
-
-
 void Foam::bodyInterface::find
 (
     const contactSurface::snapshot& minus,
@@ -307,10 +300,7 @@ void Foam::bodyInterface::remember()
 
 void Foam::bodyInterface::solve(const bool firstStage)
 {
-    if (!pairing_->active()) return;
-
-    bodyInterface* pair = this;
-    exchangeForces(UList<bodyInterface*>(&pair, 1), exchange_, firstStage);
+    if (pairing_->active()) alone_.exchangeForces(firstStage);
 }
 
 

@@ -57,15 +57,14 @@ void Foam::bodyInterface::findStates
 template<class T>
 void Foam::bodyInterface::toSlots
 (
-    const UList<bodyInterface*>& pairs,
-    contactExchange& exchange,
+    group& g,
     sideValues<T> bodyInterface::* values
 )
 {
-    exchange.toSlots<T>
+    g.exchange.toSlots<T>
     (
-        [&](const label i) -> auto& { return (pairs[i]->*values).own; },
-        [&](const label i) -> auto& { return (pairs[i]->*values).plus; }
+        [&](const label i) -> auto& { return (g.pairs[i]->*values).own; },
+        [&](const label i) -> auto& { return (g.pairs[i]->*values).plus; }
     );
 }
 
@@ -73,8 +72,7 @@ void Foam::bodyInterface::toSlots
 template<class T, class Function>
 void Foam::bodyInterface::findValues
 (
-    const UList<bodyInterface*>& pairs,
-    contactExchange& exchange,
+    group& g,
     sideValues<T> bodyInterface::* values,
     const Function& of
 )
@@ -91,13 +89,13 @@ void Foam::bodyInterface::findValues
         its.setSize(corners.size());
         forAll(corners, i) its[i] = of(body, node[corners[i]]);
     };
-    for (bodyInterface* pair : pairs)
+    for (bodyInterface* pair : g.pairs)
     {
         sideValues<T>& its = pair->*values;
         find(pair->minus_, pair->minusCorners_, its.minus);
         find(pair->plus_, pair->pairing_->plusCorners(), its.own);
     }
-    toSlots(pairs, exchange, values);
+    toSlots(g, values);
 }
 
 
@@ -368,26 +366,26 @@ void Foam::bodyInterface::startForces()
 }
 
 
-void Foam::bodyInterface::startSlides
-(
-    const UList<bodyInterface*>& pairs,
-    contactExchange& exchange
-)
+void Foam::bodyInterface::group::set(const UList<bodyInterface*>& all)
+{
+    pairs = all;
+    List<const contactPairing*> pairings(pairs.size());
+    forAll(pairs, i) pairings[i] = &pairs[i]->pairing();
+    exchange.set(pairings);
+}
+
+
+void Foam::bodyInterface::group::startSlides()
 {
     findValues
     (
-        pairs, exchange, &bodyInterface::slides_,
+        *this, &bodyInterface::slides_,
         [](const solidBody& body, const label node) { return body.slide(node); }
     );
 }
 
 
-void Foam::bodyInterface::exchangeForces
-(
-    const UList<bodyInterface*>& pairs,
-    contactExchange& exchange,
-    const bool firstStage
-)
+void Foam::bodyInterface::group::exchangeForces(const bool firstStage)
 {
     for (bodyInterface* pair : pairs)
     {
@@ -417,14 +415,10 @@ void Foam::bodyInterface::startAnswers()
 }
 
 
-void Foam::bodyInterface::findForces
-(
-    const UList<bodyInterface*>& pairs,
-    contactExchange& exchange
-)
+void Foam::bodyInterface::group::findForces()
 {
     for (bodyInterface* pair : pairs) pair->startForces();
-    toSlots(pairs, exchange, &bodyInterface::states_);
+    toSlots(*this, &bodyInterface::states_);
     for (bodyInterface* pair : pairs)
     {
         pair->startAnswers();
@@ -439,10 +433,8 @@ void Foam::bodyInterface::find(const scalar)
     forget();
     if (!pairing_->active()) return;
 
-    bodyInterface* pair = this;
-    const UList<bodyInterface*> alone(&pair, 1);
-    if (law().sticks()) startSlides(alone, exchange_);
-    findForces(alone, exchange_);
+    if (law().sticks()) alone_.startSlides();
+    alone_.findForces();
 }
 
 
@@ -464,16 +456,11 @@ void Foam::bodyInterface::limitPushes(const UList<push>& all, label& place)
 }
 
 
-void Foam::bodyInterface::correctForces
-(
-    const UList<bodyInterface*>& pairs,
-    contactExchange& exchange,
-    const bool firstStage
-)
+void Foam::bodyInterface::group::correctForces(const bool firstStage)
 {
     findValues
     (
-        pairs, exchange, &bodyInterface::velocities_,
+        *this, &bodyInterface::velocities_,
         [](const solidBody& body, const label node)
         {
             return body.contact().velocityWith(node);
@@ -485,16 +472,13 @@ void Foam::bodyInterface::correctForces
         pair->withNodes([&](auto N) { pair->correctNear<N.value>(); });
         pair->statistics_ = pair->found_;
     }
-    exchangeForces(pairs, exchange, firstStage);
+    exchangeForces(firstStage);
 }
 
 
 void Foam::bodyInterface::correct(const bool firstStage)
 {
-    if (!pairing_->active()) return;
-
-    bodyInterface* pair = this;
-    correctForces(UList<bodyInterface*>(&pair, 1), exchange_, firstStage);
+    if (pairing_->active()) alone_.correctForces(firstStage);
 }
 
 
@@ -611,18 +595,12 @@ void Foam::bodyInterface::slide(const scalar middle, const scalar deltaT)
 {
     if (!pairing_->active()) return;
 
-    bodyInterface* pair = this;
-    const UList<bodyInterface*> alone(&pair, 1);
-    take(alone, middle);
-    if (law().sticks()) slide(alone, exchange_, middle, deltaT);
+    alone_.take(middle);
+    if (law().sticks()) alone_.slide(middle, deltaT);
 }
 
 
-void Foam::bodyInterface::take
-(
-    const UList<bodyInterface*>& pairs,
-    const scalar middle
-)
+void Foam::bodyInterface::group::take(const scalar middle)
 {
     for (bodyInterface* pair : pairs)
     {
@@ -641,17 +619,15 @@ void Foam::bodyInterface::take
 }
 
 
-void Foam::bodyInterface::slide
+void Foam::bodyInterface::group::slide
 (
-    const UList<bodyInterface*>& pairs,
-    contactExchange& exchange,
     const scalar middle,
     const scalar deltaT
 )
 {
     findValues
     (
-        pairs, exchange, &bodyInterface::steps_,
+        *this, &bodyInterface::steps_,
         [](const solidBody& body, const label node)
         {
             return stepVelocities

@@ -84,24 +84,15 @@ void Foam::generalInterface::join()
         acting.append(&part);
         if (part.law().sticks()) sticking.append(&part);
     }
-    acting_.transfer(acting);
-    sticking_.transfer(sticking);
-
-    const auto pairingsOf = [](const UList<bodyInterface*>& parts)
-    {
-        List<const contactPairing*> pairings(parts.size());
-        forAll(parts, i) pairings[i] = &parts[i]->pairing();
-        return pairings;
-    };
-    exchange_.set(pairingsOf(acting_));
-    slideExchange_.set(pairingsOf(sticking_));
+    acting_.set(acting);
+    sticking_.set(sticking);
 }
 
 
 void Foam::generalInterface::collect()
 {
     statistics_ = statistics();
-    for (const bodyInterface* part : acting_)
+    for (const bodyInterface* part : acting_.pairs)
     {
         const statistics& s = part->stageStatistics();
         statistics_.force += s.force;
@@ -414,7 +405,7 @@ bool Foam::generalInterface::update(const scalar time, const bool all)
 
 void Foam::generalInterface::remember()
 {
-    for (bodyInterface* part : acting_) part->remember();
+    for (bodyInterface* part : acting_.pairs) part->remember();
 }
 
 
@@ -433,8 +424,8 @@ void Foam::generalInterface::forOpposite(const visitor& visit) const
 void Foam::generalInterface::find(const scalar)
 {
     if (!variational()) return;
-    bodyInterface::startSlides(sticking_, slideExchange_);
-    bodyInterface::findForces(acting_, exchange_);
+    sticking_.startSlides();
+    acting_.findForces();
 }
 
 
@@ -458,11 +449,11 @@ void Foam::generalInterface::solve(const bool firstStage)
 {
     if (variational())
     {
-        bodyInterface::exchangeForces(acting_, exchange_, firstStage);
+        acting_.exchangeForces(firstStage);
     }
     else
     {
-        for (bodyInterface* part : acting_) part->solve(firstStage);
+        for (bodyInterface* part : acting_.pairs) part->solve(firstStage);
     }
     collect();
 }
@@ -470,7 +461,7 @@ void Foam::generalInterface::solve(const bool firstStage)
 
 void Foam::generalInterface::correct(const bool firstStage)
 {
-    bodyInterface::correctForces(acting_, exchange_, firstStage);
+    acting_.correctForces(firstStage);
     collect();
 }
 
@@ -478,18 +469,25 @@ void Foam::generalInterface::correct(const bool firstStage)
 void Foam::generalInterface::accumulate(const scalar weightedDeltaT)
 {
     contactInterface::accumulate(weightedDeltaT);
-    for (bodyInterface* part : acting_) part->accumulate(weightedDeltaT);
+    for (bodyInterface* part : acting_.pairs) part->accumulate(weightedDeltaT);
 }
 
 
 void Foam::generalInterface::slide(const scalar middle, const scalar deltaT)
 {
-    bodyInterface::take(acting_, middle);
-    scalar before = 0, after = 0;
-    for (const bodyInterface* part : sticking_) before += part->sums().friction;
-    bodyInterface::slide(sticking_, slideExchange_, middle, deltaT);
-    for (const bodyInterface* part : sticking_) after += part->sums().friction;
-    account_.friction += after - before;
+    acting_.take(middle);
+    const auto friction = [&]
+    {
+        scalar sum = 0;
+        for (const bodyInterface* part : sticking_.pairs)
+        {
+            sum += part->sums().friction;
+        }
+        return sum;
+    };
+    const scalar before = friction();
+    sticking_.slide(middle, deltaT);
+    account_.friction += friction() - before;
 }
 
 

@@ -197,16 +197,15 @@ void Foam::contactOverlaps::append
     const contactFace& plus,
     const vector& n,
     const overlapNormal& normal,
-    const vector& outOfPlane,
-    const label nDim,
     const bool joined,
     DynamicList<contactOverlap>& overlaps
 )
 {
+    const label nDim = minus.nDim();
     const scalar onLine = joined ? alongEdge : 0;
 
     vector u, w;
-    alongPlane(n, outOfPlane, nDim, u, w);
+    alongPlane(n, minus, u, w);
     const faceProjection a(minus, u, w), b(plus, u, w);
 
     const label first = overlaps.size();

@@ -62,22 +62,42 @@ FixedList<scalar, 16> spread
     return result;
 }
 
-//- Outward unit normal of the current nodes x of a face: by the same turn from
-//  the reference ones as there, where it is N
-vector currentNormal
-(
-    const FixedList<point, 4>& x,
-    const FixedList<point, 4>& X,
-    const label size,
-    const label nDim,
-    const vector& N,
-    const vector& out
-)
+//- Normal of the nodes x of a face: cross product of the diagonals; in 2D of
+//  the edge and the direction left out; zero in 1D
+vector areaNormal(const contactFace& f, const FixedList<point, 4>& x)
 {
-    if (nDim == 1) return N/mag(N);
-    const vector A(contactSurface::areaNormal(X, size, out));
-    const vector a(contactSurface::areaNormal(x, size, out));
-    return ((A & N) < 0 ? -1 : 1)*a/max(mag(a), VSMALL);
+    switch (f.size)
+    {
+        case 4: return 0.5*((x[2] - x[0]) ^ (x[3] - x[1]));
+        case 3: return 0.5*((x[1] - x[0]) ^ (x[2] - x[0]));
+        case 2: return (x[1] - x[0]) ^ f.out;
+        default: return vector::zero;
+    }
+}
+
+//- Outward unit normal of the current nodes: by the same turn from the
+//  reference ones as there, where it is N
+vector currentNormal(const contactFace& f)
+{
+    if (f.size == 1) return f.N;
+    const vector A(areaNormal(f, f.X)), a(areaNormal(f, f.x));
+    return ((A & f.N) < 0 ? -1 : 1)*a/max(mag(a), VSMALL);
+}
+
+//- Unit vector along the direction that a 2D body leaves out (1D: the first)
+vector outOfPlane(const contactSide& side)
+{
+    const vector e(vector::one - side.body->dual().projected(vector::one));
+    for (direction i = 0; i < 3; ++i)
+    {
+        if (e[i] > 0)
+        {
+            vector first(Zero);
+            first[i] = 1;
+            return first;
+        }
+    }
+    return vector::zero;
 }
 
 //- Positions of the nodes of a body, current or reference ones, in its solution
@@ -89,6 +109,7 @@ struct positions
     const label d;
     const scalar* X;
     const scalar* disp;
+    const vector out;
 
     positions(const contactSide& side, const bool current)
     :
@@ -96,7 +117,8 @@ struct positions
         current(current),
         d(body.dual().nDim()),
         X(body.dual().nodePosition().cdata()),
-        disp(body.state().disp.cdata())
+        disp(body.state().disp.cdata()),
+        out(outOfPlane(side))
     {}
 
     scalar component(const label node, const label i) const
@@ -111,129 +133,35 @@ struct positions
     }
 };
 
-//- One face of a side
-contactFace makeFace
+//- A face of a side with its nodes, normals, depths and width only
+contactFace placedFace
 (
+    const positions& at,
     const contactSide& side,
-    const globalIndex& corners,
-    const vector& out,
-    const label facei,
-    const bool current
+    const dualPatch::face& its
 )
 {
-    const solidBody& body = *side.body;
     const dualPatch& patch = side.geometry();
-    const positions at(side, current);
-    const scalarField& depth = body.surface(side.patchi).depth;
-    const boolList& rim = body.surface(side.patchi).rim;
-    const boolList& ends = body.surface(side.patchi).ends;
+    const medianDual& dual = at.body.dual();
+    const scalarField& depth = at.body.surface(side.patchi).depth;
 
     contactFace f;
-    const dualPatch::face its(patch.faceOf(facei));
-    const label start = its.start;
     f.size = its.size;
-    f.firstCorner = corners.toGlobal(start);
-
-    const scalar* s = patch.weights.cdata() + its.firstWeight;
+    f.out = at.out;
     vector mean(Zero);
     for (label j = 0; j < f.size; ++j)
     {
-        const label k = start + j;
+        const label k = its.start + j;
         const label a = patch.cornerNode[k];
-        f.X[j] = body.dual().position(a);
+        f.X[j] = dual.position(a);
         f.x[j] = at(a);
-        f.area[j] = patch.cornerArea[k];
         f.depth[j] = depth[k];
-        f.rim[j] = rim.size() && rim[k];
-        f.ends[j] = ends.size() && ends[k];
-        mean += body.dual().cornerNormal(patch, k);
-    }
-    f.spread = spread(s, f.size, f.area);
-    if (f.size == 4)
-    {
-        const scalar both = s[2] + s[7];
-        f.split = both > 0 ? s[2]/both : 0.5;
-
-        const vector d02(f.X[2] - f.X[0]), d13(f.X[3] - f.X[1]);
-        const vector n(d02 ^ d13);
-        const auto place = [&](const vector& along)
-        {
-            return min
-            (
-                max
-                (
-                    (((f.X[1] - f.X[0]) ^ along) & n)/max(magSqr(n), VSMALL),
-                    scalar(contactFace::leastCrossing)
-                ),
-                scalar(1 - contactFace::leastCrossing)
-            );
-        };
-        f.crossings[0] = place(d13);
-        f.crossings[1] = place(d02);
+        mean += dual.cornerNormal(patch, k);
     }
     f.N = mean/mag(mean);
+    f.n = currentNormal(f);
     f.width = f.size > 1 ? bodySurface::meanEdge(f.X, f.size) : f.depth[0];
-
-    f.n = currentNormal(f.x, f.X, f.size, at.d, f.N, out);
     return f;
-}
-
-//- Call a function for the outlines of those faces of a side, from start to
-//  end, that are wanted
-template<class Wanted, class Function>
-void outlines
-(
-    const contactSide& side,
-    const bool current,
-    const label start,
-    const label end,
-    const Wanted& wanted,
-    const Function& f
-)
-{
-    const solidBody& body = *side.body;
-    const dualPatch& patch = side.geometry();
-    const positions at(side, current);
-    const vector out(contactSurface::outOfPlane(side));
-
-    for (label facei = start; facei < end; ++facei)
-    {
-        if (!wanted(facei)) continue;
-
-        const dualPatch::face its(patch.faceOf(facei));
-        const label first = its.start, size = its.size;
-        FixedList<point, 4> x(point::zero), X(point::zero);
-        vector N(Zero);
-        contactSurface::outline o;
-        o.face = facei;
-        o.box = boundBox(boundBox::invertedBox);
-        o.centre = o.C = point::zero;
-        for (label j = 0; j < size; ++j)
-        {
-            const label a = patch.cornerNode[first + j];
-            X[j] = body.dual().position(a);
-            x[j] = at(a);
-            N += body.dual().cornerNormal(patch, first + j);
-            o.box.add(x[j]);
-            o.centre += x[j];
-            o.C += X[j];
-        }
-        o.centre /= size;
-        o.C /= size;
-        scalar radiusSqr = 0, sqrR = 0;
-        for (label j = 0; j < size; ++j)
-        {
-            radiusSqr = max(radiusSqr, magSqr(x[j] - o.centre));
-            sqrR = max(sqrR, magSqr(X[j] - o.C));
-        }
-        o.radius = std::sqrt(radiusSqr);
-        o.R = std::sqrt(sqrR);
-        o.N = N/mag(N);
-        o.n = currentNormal(x, X, size, at.d, N, out);
-        o.depth = body.surface(side.patchi).depth[first];
-        o.width = size > 1 ? bodySurface::meanEdge(X, size) : o.depth;
-        f(o);
-    }
 }
 
 } // End anonymous namespace
@@ -244,22 +172,6 @@ void outlines
 const Foam::dualPatch& Foam::contactSide::geometry() const
 {
     return body->dual().patches()[patchi];
-}
-
-
-Foam::vector Foam::contactSurface::outOfPlane(const contactSide& side)
-{
-    const vector e(vector::one - side.body->dual().projected(vector::one));
-    for (direction i = 0; i < 3; ++i)
-    {
-        if (e[i] > 0)
-        {
-            vector first(Zero);
-            first[i] = 1;
-            return first;
-        }
-    }
-    return vector::zero;
 }
 
 
@@ -314,34 +226,16 @@ Foam::surfacePlace Foam::contactSurface::place
 }
 
 
-Foam::vector Foam::contactSurface::areaNormal
-(
-    const FixedList<point, 4>& x,
-    const label size,
-    const vector& outOfPlane
-)
-{
-    switch (size)
-    {
-        case 4: return 0.5*((x[2] - x[0]) ^ (x[3] - x[1]));
-        case 3: return 0.5*((x[1] - x[0]) ^ (x[2] - x[0]));
-        case 2: return (x[1] - x[0]) ^ outOfPlane;
-        default: return vector::zero;
-    }
-}
-
-
 Foam::contactFaceList Foam::contactSurface::faces
 (
     const contactSide& side,
     const globalIndex& corners
 )
 {
-    const vector out(outOfPlane(side));
     contactFaceList faces(side.geometry().nFaces());
     forAll(faces, facei)
     {
-        faces[facei] = makeFace(side, corners, out, facei, false);
+        faces[facei] = face(side, corners, facei, false);
     }
     return faces;
 }
@@ -355,7 +249,45 @@ Foam::contactFace Foam::contactSurface::face
     const bool current
 )
 {
-    return makeFace(side, corners, outOfPlane(side), facei, current);
+    const dualPatch& patch = side.geometry();
+    const boolList& rim = side.body->surface(side.patchi).rim;
+    const boolList& ends = side.body->surface(side.patchi).ends;
+    const dualPatch::face its(patch.faceOf(facei));
+
+    contactFace f(placedFace(positions(side, current), side, its));
+    f.firstCorner = corners.toGlobal(its.start);
+    for (label j = 0; j < f.size; ++j)
+    {
+        const label k = its.start + j;
+        f.area[j] = patch.cornerArea[k];
+        f.rim[j] = rim.size() && rim[k];
+        f.ends[j] = ends.size() && ends[k];
+    }
+    const scalar* s = patch.weights.cdata() + its.firstWeight;
+    f.spread = spread(s, f.size, f.area);
+    if (f.size == 4)
+    {
+        const scalar both = s[2] + s[7];
+        f.split = both > 0 ? s[2]/both : 0.5;
+
+        const vector d02(f.X[2] - f.X[0]), d13(f.X[3] - f.X[1]);
+        const vector n(d02 ^ d13);
+        const auto place = [&](const vector& along)
+        {
+            return min
+            (
+                max
+                (
+                    (((f.X[1] - f.X[0]) ^ along) & n)/max(magSqr(n), VSMALL),
+                    scalar(contactFace::leastCrossing)
+                ),
+                scalar(1 - contactFace::leastCrossing)
+            );
+        };
+        f.crossings[0] = place(d13);
+        f.crossings[1] = place(d02);
+    }
+    return f;
 }
 
 
@@ -379,8 +311,9 @@ Foam::contactSurface::outline::outline
     for (label i = 0; i < f.size; ++i)
     {
         box.add(f.x[i]);
-        C += f.X[i]/f.size;
+        C += f.X[i];
     }
+    C /= f.size;
     for (label i = 0; i < f.size; ++i) R = max(R, mag(f.X[i] - C));
 }
 
@@ -430,15 +363,14 @@ void Foam::contactSurface::snapshot::findFaces(const UList<boundBox>& boxes)
         {
             if (!meet(its.box, other)) continue;
             runs.append(its);
-            outlines
-            (
-                side, current, start, end, [](const label) { return true; },
-                [&](const outline& o)
-                {
-                    faces.append(o);
-                    axis += o.n;
-                }
-            );
+            for (label facei = start; facei < end; ++facei)
+            {
+                faces.append
+                (
+                    outline(facei, placedFace(x, side, patch.faceOf(facei)))
+                );
+                axis += faces.last().n;
+            }
             break;
         }
     }
@@ -593,52 +525,21 @@ bool Foam::contactSurface::snapshot::mayOppose
 Foam::DynamicList<Foam::contactSurface::outline>
 Foam::contactSurface::snapshot::in(const boundBox& box) const
 {
-    DynamicList<outline> some;
-    if (found)
+    if (!found)
     {
-        for (const run& its : runs)
-        {
-            if (!meet(its.box, box)) continue;
-            for (label i = its.start; i < its.start + its.size; ++i)
-            {
-                if (meet(faces[i].box, box)) some.append(faces[i]);
-            }
-        }
-        return some;
+        snapshot near(*this);
+        near.findFaces(List<boundBox>(1, box));
+        return near.in(box);
     }
-
-    const FixedList<label, 3>& directions = side.body->dual().directions();
-    const dualPatch& patch = side.geometry();
-    const positions x(side, current);
-    outlines
-    (
-        side,
-        current,
-        0,
-        patch.nFaces(),
-        [&](const label facei)
+    DynamicList<outline> some;
+    for (const run& its : runs)
+    {
+        if (!meet(its.box, box)) continue;
+        for (label i = its.start; i < its.start + its.size; ++i)
         {
-            for (label i = 0; i < x.d; ++i)
-            {
-                const direction e = directions[i];
-                scalar least = GREAT, most = -GREAT;
-                for
-                (
-                    label k = patch.faceStart[facei];
-                    k < patch.faceStart[facei + 1];
-                    ++k
-                )
-                {
-                    const scalar at = x.component(patch.cornerNode[k], i);
-                    least = min(least, at);
-                    most = max(most, at);
-                }
-                if (least > box.max()[e] || most < box.min()[e]) return false;
-            }
-            return true;
-        },
-        [&](const outline& o) { some.append(o); }
-    );
+            if (meet(faces[i].box, box)) some.append(faces[i]);
+        }
+    }
     return some;
 }
 

@@ -34,16 +34,10 @@ scalar halfWidth(const contactFace& minus, const contactFace& plus)
 //  other one, an end that is inside is not above the face that it is behind.
 //  Ends beside the face count where its body continues, so that the normal does
 //  not change as they slide from one face to the next in a plane
-scalar endsOn
-(
-    const contactFace& its,
-    const contactFace& other,
-    const vector& outOfPlane,
-    const label nDim
-)
+scalar endsOn(const contactFace& its, const contactFace& other)
 {
     vector u, w;
-    alongPlane(other.n, outOfPlane, nDim, u, w);
+    alongPlane(other.n, other, u, w);
     const faceProjection a(its, u, w), b(other, u, w);
     const scalar half = halfWidth(its, other);
     bool any = false;
@@ -54,7 +48,7 @@ scalar endsOn
         const scalar inside = (b.above(at) - a.above(at)) & other.n;
         off = min(off, max(b.fromEnd(at) - max(inside, scalar(0)), scalar(0)));
     };
-    if (nDim == 2)
+    if (its.nDim() == 2)
     {
         for (label i = 0; i < 2; ++i)
         {
@@ -87,13 +81,11 @@ void setShares
 (
     const contactFace& minus,
     const contactFace& plus,
-    const vector& outOfPlane,
-    const label nDim,
     overlapNormal& which
 )
 {
-    const scalar minusOn = endsOn(minus, plus, outOfPlane, nDim);
-    const scalar plusOn = endsOn(plus, minus, outOfPlane, nDim);
+    const scalar minusOn = endsOn(minus, plus);
+    const scalar plusOn = endsOn(plus, minus);
     which.minus = 1 - minusOn*(1 - plusOn);
     which.plus = 1 - plusOn*(1 - minusOn);
 }
@@ -166,18 +158,16 @@ Foam::overlapNormal Foam::contactOverlaps::normalOf
 (
     const contactFace& minus,
     const contactFace& plus,
-    const vector& outOfPlane,
-    const label nDim,
     vector& n
 )
 {
     overlapNormal which;
-    if (nDim == 1 || !(ends(minus) || ends(plus))) return which;
+    if (minus.nDim() == 1 || !(ends(minus) || ends(plus))) return which;
 
-    setShares(minus, plus, outOfPlane, nDim, which);
+    setShares(minus, plus, which);
     n = which.minus*minus.n - which.plus*plus.n;
     n /= mag(n);
-    if (nDim == 3) setCrossing(minus, plus, which);
+    if (minus.nDim() == 3) setCrossing(minus, plus, which);
     if (which.crossing > 0)
     {
         const vector d(minus.edge(which.minusEdge));
@@ -195,21 +185,19 @@ bool Foam::contactOverlaps::beside
 (
     const contactFace& minus,
     const contactFace& plus,
-    const vector& n,
-    const vector& outOfPlane,
-    const label nDim
+    const vector& n
 )
 {
-    if (nDim == 1) return false;
+    if (minus.nDim() == 1) return false;
     if (!ends(minus) && !ends(plus)) return false;
 
     vector u, w;
-    alongPlane(n, outOfPlane, nDim, u, w);
+    alongPlane(n, minus, u, w);
     const faceProjection a(minus, u, w), b(plus, u, w);
 
     // Intersection of the faces
     convexPolygon common;
-    if (nDim == 2)
+    if (minus.nDim() == 2)
     {
         const scalar from = max
         (

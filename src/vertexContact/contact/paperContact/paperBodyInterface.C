@@ -21,8 +21,8 @@ void Foam::paperBodyInterface::setCovered()
         minus[o.minus.corner[0]] += o.minus.share;
         plus[o.plus.corner[0]] += o.plus.share;
     }
-    exchange_.toCorners(plus, scalar(0));
-    exchange_.toSlots(plus);
+    alone_.exchange.toCorners(plus, scalar(0));
+    alone_.exchange.toSlots(plus);
 
     perMinusCovered_.setSize(overlaps.size());
     perPlusCovered_.setSize(overlaps.size());
@@ -49,7 +49,7 @@ void Foam::paperBodyInterface::send()
         s.t = P.t[k];
         s.waveFactor = P.waveFactor[k];
     }
-    exchange_.toSlots(sent_);
+    alone_.exchange.toSlots(sent_);
 }
 
 
@@ -149,7 +149,7 @@ void Foam::paperBodyInterface::addFluxes(const bool firstStage)
         }
     }
 
-    exchange_.toCorners(answers_, fluxAnswer());
+    alone_.exchange.toCorners(answers_, fluxAnswer());
     const labelList& corners = pairing_->plusCorners();
     forAll(corners, c)
     {
@@ -168,7 +168,7 @@ void Foam::paperBodyInterface::addFluxes(const bool firstStage)
 void Foam::paperBodyInterface::setOverlaps()
 {
     const List<contactOverlap>& overlaps = pairing_->overlaps();
-    setExchange();
+    alone_.set(List<bodyInterface*>(1, this));
     minusCorners_.setSize(overlaps.size());
     forAll(overlaps, o) minusCorners_[o] = overlaps[o].minus.corner[0];
     closed_.setSize(overlaps.size(), false);

@@ -197,7 +197,6 @@ Foam::contactPairings::AMI::AMI
         std::memcpy(face, bytes[f].cdata(), sizeof(contactFace));
     }
 
-    const vector out(contactSurface::outOfPlane(minus));
     DynamicList<contactOverlap> overlaps(4*source.index.size());
     scalar covered = 0, area = 0;
     const labelListList& address = ami->srcAddress();
@@ -213,8 +212,8 @@ Foam::contactPairings::AMI::AMI
             {
                 contactOverlaps::append
                 (
-                    a, b, n, overlapNormal(), out, dual.nDim(),
-                    minus.body->variational(), overlaps
+                    a, b, n, overlapNormal(), minus.body->variational(),
+                    overlaps
                 );
             }
         }

@@ -292,9 +292,6 @@ void Foam::contactPairings::nearestFace::pairFaces
     const scalar radius = largestRadius(others);
     const pointGrid grid(centresOf(others), 2*(radius + reach_));
 
-    const vector out(contactSurface::outOfPlane(minus_));
-    const label nDim = minus_.body->dual().nDim();
-
     // Faces of others on this rank, set up when they are needed
     DynamicList<contactFace> faces;
     labelList where(received.size() ? 0 : others.size(), -1);
@@ -339,7 +336,7 @@ void Foam::contactPairings::nearestFace::pairFaces
             overlapNormal normal;
             if (!bonded_ && minus_.body->variational())
             {
-                normal = contactOverlaps::normalOf(face, b, out, nDim, n);
+                normal = contactOverlaps::normalOf(face, b, n);
             }
             if
             (
@@ -349,14 +346,13 @@ void Foam::contactPairings::nearestFace::pairFaces
                  && contactOverlaps::face(face.n, n)
                  && contactOverlaps::face(-b.n, n)
                  && (face.n & b.n) < leastOfMean*normal.mean()
-                 && !contactOverlaps::beside(face, b, n, out, nDim)
+                 && !contactOverlaps::beside(face, b, n)
                 )
             )
             {
                 contactOverlaps::append
                 (
-                    face, b, n, normal, out, nDim,
-                    minus_.body->variational(), overlaps
+                    face, b, n, normal, minus_.body->variational(), overlaps
                 );
             }
         }
