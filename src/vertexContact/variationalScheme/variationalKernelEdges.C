@@ -100,8 +100,8 @@ public:
     inline void add(const index b, const scalar* C)
     {
         constexpr int stride = isPair ? 1 : nLanes;
-        constexpr scalar factor = (isPair ? 2 : 1)*(D == 2 ? 1 : 0.5);
-        const row<w> change = factor*(U(b) - Ua_);
+        const row<w> change =
+            ((isPair ? 2 : 1)*(D == 2 ? 1 : 0.5))*(U(b) - Ua_);
         for (int j = 0; j < nC; ++j)
         {
             row<w> by;
