@@ -158,7 +158,7 @@ void Foam::variationalBody::addPressure
                 }
             }
         }
-        patch.cornerAreas(d, f, x, areas);
+        patch.cornerAreas(f, x, areas);
         for (label p = 0; p < f.size; ++p)
         {
             const label a = patch.cornerNode[f.start + p];

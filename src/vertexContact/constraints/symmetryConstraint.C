@@ -228,7 +228,7 @@ Foam::symmetryConstraint::symmetryConstraint
     {
         const dualPatch& patch = dual.patches()[patchIDs[i]];
         areas[i].setSize(dual.nNodes()*d, Zero);
-        patch.addAreas(d, areas[i]);
+        patch.addAreas(areas[i]);
         dual.sharing().sum(areas[i].data(), d);
         findKinks(dual, patchIDs[i], areas[i]);
     }

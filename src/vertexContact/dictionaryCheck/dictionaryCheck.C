@@ -237,6 +237,26 @@ void Foam::dictionaryCheck::require
 }
 
 
+void Foam::dictionaryCheck::requireOnce
+(
+    const dictionary& dict,
+    const word& keyword,
+    const UList<word>& given
+)
+{
+    wordHashSet known;
+    for (const word& w : given)
+    {
+        if (!known.insert(w))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Keyword '" << keyword << "' has '" << w << "' twice"
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
 void Foam::dictionaryCheck::warnLeftOut
 (
     const string& where,

@@ -390,7 +390,6 @@ static void calculatePatch
 
 void Foam::dualPatch::cornerAreas
 (
-    const label nDim,
     const face& f,
     const scalar* x,
     scalar* areas
@@ -476,6 +475,7 @@ void Foam::dualBoundary::calculate
         const polyPatch& patch = mesh.boundaryMesh()[patchi];
 
         patches.set(patchi, new dualPatch());
+        patches[patchi].nDim = nodes.nDim;
         patches[patchi].patchIndex = patchi;
         patches[patchi].name = patch.name();
         patches[patchi].handedness = nodes.handedness;

@@ -92,17 +92,16 @@ edge edgeFrom(const dualPatch& patch, const dualPatch::face& f, const label j)
 Foam::boolList Foam::patchRim::corners
 (
     const polyMesh& mesh,
-    const dualPatch& patch,
-    const label nDim
+    const dualPatch& patch
 )
 {
     boolList rim;
     rim.setSize(patch.nCorners(), false);
-    if (nDim == 1) return rim;
+    if (patch.nDim == 1) return rim;
 
     const polyPatch& faces = mesh.boundaryMesh()[patch.patchIndex];
     const vectorField n(normals(faces));
-    if (nDim == 2)
+    if (patch.nDim == 2)
     {
         facesAt<Map> points(4*patch.nFaces());
         forAll(faces, f)
@@ -147,11 +146,10 @@ Foam::boolList Foam::patchRim::nodes
 (
     const polyMesh& mesh,
     const dualPatch& patch,
-    const label nDim,
     const boolList& rim
 )
 {
-    if (nDim < 3) return rim;
+    if (patch.nDim < 3) return rim;
 
     Map<label> points;
     patch.forFaces([&](const dualPatch::face& f)
@@ -177,7 +175,6 @@ Foam::boolList Foam::patchRim::ends
 (
     const polyMesh& mesh,
     const dualPatch& patch,
-    const label nDim,
     const boolList& rim,
     const labelUList& mirrors
 )
@@ -194,7 +191,7 @@ Foam::boolList Foam::patchRim::ends
         syncTools::syncPointList(mesh, in, maxEqOp<label>(), label(0));
         const auto isIn = [&](const dualPatch::face& f, const label j)
         {
-            if (nDim < 3) return in[patch.cornerPoint[f.start + j]] > 0;
+            if (patch.nDim < 3) return in[patch.cornerPoint[f.start + j]] > 0;
             const edge e(edgeFrom(patch, f, j));
             return in[e.start()] > 0 && in[e.end()] > 0;
         };

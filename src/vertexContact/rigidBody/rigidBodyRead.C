@@ -20,9 +20,7 @@ using namespace Foam;
 //- Number of intervals of the run at whose ends a motion is checked
 constexpr label nLooks = 16;
 
-//- Share of a motion that may leave the directions of the mesh: a motion is
-//  written with few digits
-constexpr scalar leaves = 1e-6;
+constexpr scalar leaves = medianDual::leaves;
 
 //- FatalIOError for a translation along directions that are free: it would be
 //  ignored. A motion that turns the body gives them its rotation only

@@ -83,12 +83,9 @@ Foam::solidBody::solidBody
     ),
     data_
     (
-        dual_, options_.scheme == schemeType::variational,
-        kinematics(options_, *material_), material_->finiteStrain(),
-        options_.scheme == schemeType::variational
-      ? reconstructionType::none : options_.reconstruction,
-        options_.limiter, options_.dissipation,
-        material_->rho(), material_->cp(), material_->cs()
+        dual_, options_, kinematics(options_, *material_),
+        material_->finiteStrain(), material_->rho(), material_->cp(),
+        material_->cs()
     ),
     mirrorPatches_(findMirrors(mesh_, pointU_)),
     symmetry_(dual_, mirrorPatches_),

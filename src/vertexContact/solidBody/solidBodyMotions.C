@@ -15,18 +15,6 @@ Description
 #include "dictionaryCheck.H"
 #include "Time.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace
-{
-
-//- Largest sine of a direction out of the mesh's directions, since directions
-//  are written with few digits
-constexpr Foam::scalar leaves = 1e-6;
-
-} // End anonymous namespace
-
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::scalar Foam::solidBody::dampedVelocity
@@ -94,7 +82,8 @@ void Foam::solidBody::checkMotions() const
             {
                 valid[i] = word(vector::componentNames[dir[i]]);
             }
-            if (mag(direction - dual_.projected(direction)) > leaves)
+            const vector out(direction - dual_.projected(direction));
+            if (mag(out) > medianDual::leaves)
             {
                 FatalFileErrorInFunction(pointUFile_)
                     << "Keyword 'boundaryField': patch '" << pf.patch().name()

@@ -60,16 +60,15 @@ void Foam::solidBody::makeCorners()
         // Area vector of the patch at each node: volume over area is half
         // the thickness of the boundary cell
         scalarField area(dual_.nNodes()*d, Zero);
-        patch.addAreas(d, area);
+        patch.addAreas(area);
         dual_.sharing().sum(area.data(), d);
 
         bodySurface& its = surfaces_[patchi];
         if (bc.contact() && data_.variational)
         {
-            its.rim = patchRim::corners(mesh_, patch, d);
-            its.rimNode = patchRim::nodes(mesh_, patch, d, its.rim);
-            its.ends =
-                patchRim::ends(mesh_, patch, d, its.rim, mirrorPatches_);
+            its.rim = patchRim::corners(mesh_, patch);
+            its.rimNode = patchRim::nodes(mesh_, patch, its.rim);
+            its.ends = patchRim::ends(mesh_, patch, its.rim, mirrorPatches_);
         }
 
         scalarField& depth = its.depth;

@@ -124,8 +124,9 @@ void Foam::variationalData::keepMotion(const label nEdges, const label nDim)
 }
 
 
-void Foam::variationalData::addPairs(const dualPatch& patch, const label nDim)
+void Foam::variationalData::addPairs(const dualPatch& patch)
 {
+    const label nDim = patch.nDim;
     label pair = pairNodes.size()/2, nPairs = pair;
     patch.forFaces
     (

@@ -514,7 +514,7 @@ Foam::variationalScheme::variationalScheme
     {
         if (!mirrorPatches.found(patch.patchIndex))
         {
-            x_.addPairs(patch, dual_.nDim());
+            x_.addPairs(patch);
         }
     }
     x_.joinPairs(dual_);

@@ -12,23 +12,23 @@
 Foam::vertexData::vertexData
 (
     const medianDual& dual,
-    const bool variational,
+    const schemeOptions& options,
     const kinematicSet kinematics,
     const bool finiteStrain,
-    const reconstructionType reconstruction,
-    const limiterType limiter,
-    const scalar dissipation,
     const scalar rho,
     const scalar cp,
     const scalar cs
 )
 :
     dual(dual),
-    variational(variational),
+    variational(options.scheme == schemeType::variational),
     finiteStrain(finiteStrain),
-    reconstruction(reconstruction),
-    limiter(limiter),
-    dissipation(dissipation),
+    reconstruction
+    (
+        variational ? reconstructionType::none : options.reconstruction
+    ),
+    limiter(options.limiter),
+    dissipation(options.dissipation),
     rho(rho),
     cp(cp),
     cs(cs),

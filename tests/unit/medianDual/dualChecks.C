@@ -239,7 +239,7 @@ Foam::scalar Foam::dualChecks::weightError(const medianDual& dual)
                     x[a*d + k] = dual.nodePosition()[node*d + k];
                 }
             }
-            patch.cornerAreas(d, patch.faceOf(facei), x, areas);
+            patch.cornerAreas(patch.faceOf(facei), x, areas);
 
             for (label a = 0; a < n; ++a)
             {

@@ -319,22 +319,15 @@ TEST_CASE("decomposed dual is that of the whole mesh", "[medianDual][parallel]")
             const dualPatch& its = serial.patches()[patchi];
             nCorners += mine.nCorners();
             nSerialCorners += its.nCorners();
-            const boolList rim(patchRim::corners(*part.mesh, mine, nDim));
+            const boolList rim(patchRim::corners(*part.mesh, mine));
             for (const bool is : rim) nRim += is;
-            for
-            (
-                const bool is
-              : patchRim::nodes(*part.mesh, mine, nDim, rim)
-            )
+            for (const bool is : patchRim::nodes(*part.mesh, mine, rim))
             {
                 nRimNodes += is;
             }
-            const boolList all(patchRim::corners(*whole.mesh, its, nDim));
+            const boolList all(patchRim::corners(*whole.mesh, its));
             for (const bool is : all) nSerialRim += is;
-            for
-            (
-                const bool is : patchRim::nodes(*whole.mesh, its, nDim, all)
-            )
+            for (const bool is : patchRim::nodes(*whole.mesh, its, all))
             {
                 nSerialRimNodes += is;
             }

@@ -54,11 +54,7 @@ struct touchingBlock
             dual, mirrors,
             List<heldNodes::condition>({heldNodes::condition{2, &motion}})
         ),
-        data
-        (
-            dual, true, kinematicSet::F, true, reconstructionType::none,
-            limiterType::none, 1, rho, 3, 1.5
-        ),
+        data(dual, schemeOptions(), kinematicSet::F, true, rho, 3, 1.5),
         contact(data, mirrors, held),
         touches(dual.nNodes(), false),
         holds(dual.nNodes(), false)

@@ -57,11 +57,7 @@ struct scheme
     )
     :
         dual(mesh, cells),
-        d
-        (
-            dual, true, kinematicSet::F, true, reconstructionType::none,
-            limiterType::none, 1, 2, 3, 1.5
-        ),
+        d(dual, schemeOptions(), kinematicSet::F, true, 2, 3, 1.5),
         x(d, beta, 0.5, 1, false),
         kernel(variationalKernel::New(d, x)),
         nDim(dual.nDim()),
@@ -69,7 +65,7 @@ struct scheme
     {
         for (const dualPatch& patch : dual.patches())
         {
-            x.addPairs(patch, nDim);
+            x.addPairs(patch);
         }
         x.joinPairs(dual);
         x.perEdges = scalar(1);

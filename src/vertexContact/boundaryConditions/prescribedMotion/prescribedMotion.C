@@ -46,29 +46,21 @@ Foam::prescribedMotion::prescribedMotion
     {
         components_ = dict.get<wordList>("components");
         const wordList valid({"x", "y", "z"});
-        forAll(components_, i)
+        for (const word& component : components_)
         {
-            const label c = valid.find(components_[i]);
+            const label c = valid.find(component);
             if (c < 0)
             {
                 dictionaryCheck::unknownModel
                 (
-                    dict, "components", components_[i], valid
+                    dict, "components", component, valid
                 );
-            }
-            for (label j = 0; j < i; ++j)
-            {
-                if (components_[j] == components_[i])
-                {
-                    FatalIOErrorInFunction(dict)
-                        << "Keyword 'components' has '" << components_[i]
-                        << "' twice" << exit(FatalIOError);
-                }
             }
             vector unit(Zero);
             unit[c] = 1;
             directions_.append(unit);
         }
+        dictionaryCheck::requireOnce(dict, "components", components_);
         if (components_.empty())
         {
             FatalIOErrorInFunction(dict)

@@ -7,9 +7,9 @@ Class
 
 Description
     Follower load on pointU: a pressure on the current surface. In the default
-    scheme it acts on the deformed faces (variationalKernel,
-    addSurfacePressure). In the paper's scheme the deformation gradient of the
-    nodes gives the current surface:
+    scheme it acts on the deformed faces (variationalBody, addPressure). In the
+    paper's scheme the deformation gradient of the nodes gives the current
+    surface:
     t^B = -p |H N| n = -p H N per reference area (Nanson's rule).
 
 Usage

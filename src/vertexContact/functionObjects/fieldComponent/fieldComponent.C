@@ -80,6 +80,7 @@ Foam::List<Foam::fieldComponent> Foam::fieldComponent::read
             << exit(FatalIOError);
     }
     DynamicList<fieldComponent> list;
+    DynamicList<word> columns;
     for (const word& given : all)
     {
         const auto dot = given.find('.');
@@ -97,20 +98,8 @@ Foam::List<Foam::fieldComponent> Foam::fieldComponent::read
         wordList names(componentNames(values.nComponents));
         const auto add = [&](const label c, const word& component)
         {
-            const fieldComponent field(name, c, component, values.dimensions);
-
-            // Columns have these names
-            for (const fieldComponent& other : list)
-            {
-                if (other.name() == field.name())
-                {
-                    FatalIOErrorInFunction(dict)
-                        << "Keyword '" << keyword << "' has '"
-                        << field.name().c_str()
-                        << "' twice" << exit(FatalIOError);
-                }
-            }
-            list.append(field);
+            list.append(fieldComponent(name, c, component, values.dimensions));
+            columns.append(word(list.last().name(), false));
         };
         if (dot != std::string::npos)
         {
@@ -144,6 +133,7 @@ Foam::List<Foam::fieldComponent> Foam::fieldComponent::read
             forAll(names, c) add(c, names[c]);
         }
     }
+    dictionaryCheck::requireOnce(dict, keyword, columns);
     return List<fieldComponent>(list);
 }
 

@@ -107,20 +107,15 @@ Foam::functionObjects::pointProbes::pointProbes
             << "Keyword 'fields' is (): it needs at least one field. Valid: "
             << dictionaryCheck::listed(valid).c_str() << exit(FatalIOError);
     }
-    forAll(fields_, f)
+    for (const word& field : fields_)
     {
-        if (!valid.found(fields_[f]))
+        if (!valid.found(field))
         {
-            dictionaryCheck::unknownModel(dict, "fields", fields_[f], valid);
-        }
-        // Each field has a file of its own
-        if (fields_.find(fields_[f]) != f)
-        {
-            FatalIOErrorInFunction(dict)
-                << "Keyword 'fields' has '" << fields_[f] << "' twice"
-                << exit(FatalIOError);
+            dictionaryCheck::unknownModel(dict, "fields", field, valid);
         }
     }
+    // Each field has a file of its own
+    dictionaryCheck::requireOnce(dict, "fields", fields_);
 
     // The nearest node; if several are equally near, the first by position. The
     // lowest rank that has it writes it
