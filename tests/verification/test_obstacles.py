@@ -5,9 +5,10 @@ import pytest
 
 from vertexContactTests.caseTools import (DEFAULT, PRESET, checkEnergies,
                                           timeFolders)
-from vertexContactTests.contactScenes import rigid
+from vertexContactTests.contactScenes import rigid, spinning
 from vertexContactTests.smallCases import (ELASTIC, RUBBER, Body, SmallCase,
-                                           coulomb, interface, largest)
+                                           condition, coulomb, interface,
+                                           largest, polar, table)
 
 PLANE = {"type": "plane", "planeType": "pointAndNormal",
          "pointAndNormalDict": {"point": (0, 0, 0), "normal": (0, 1, 0)}}
@@ -89,6 +90,31 @@ def test_ball_in_two_dimensions(tmp_path, figures):
         f.atLeast("displacement, largest", largest(ends["cylinder"]), 0.05)
         f.atMost("displacement less that on a cylinder, largest",
                  largest(ends["ball"] - ends["cylinder"]), 1e-12)
+
+
+@pytest.mark.parametrize("cells, ranks", (
+    ((2, 40), 1), ((2, 40), 2), ((2, 40, 2), 1)), ids=str)
+def test_spins_on_an_axle(tmp_path, figures, cells, ranks):
+    """A ring with a slit is pressed on a cylinder without friction and spins
+    on it, for a quarter of a turn. It keeps its angular momentum, and contact
+    takes no energy."""
+    ring = Body(cells, name="block", start=(1, 0, 0),
+                size=(0.1, 1.9*np.pi, 0.1), moved=polar,
+                velocity=spinning((0, 0, 0), (0, 0, 0.05)), sides={
+                    "left": "contact",
+                    "right": condition("pressure", pressure=table(
+                        (0, 0), (2, 0.01), (1e9, 0.01)))})
+    case = SmallCase(tmp_path, ring, 30, preset=DEFAULT, interfaces={"axle": {
+        "side": ("block", "left"), "obstacle": {
+            "type": "cylinder", "point1": (0, 0, -1), "point2": (0, 0, 2),
+            "radius": 1}}}, control={"maxCo": 0.9})
+    case = case.run() if ranks == 1 else case.runParallel(ranks)
+    L, E = case.angularMomentumOf()[:, 2], case.totalEnergy
+    with figures(f"a ring of {cells} on an axle, {ranks} ranks") as f:
+        f.atMost("change of the angular momentum / initial",
+                 largest(L/L[0] - 1), 1e-4)
+        f.atMost("work of contact / energy",
+                 largest(case.energies["total:contactWork"])/E[0], 1e-4)
 
 
 def plane(normal):

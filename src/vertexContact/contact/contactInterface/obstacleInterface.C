@@ -140,15 +140,16 @@ void Foam::obstacleInterface::nearestTo
 }
 
 
-void Foam::obstacleInterface::findEdges()
+void Foam::obstacleInterface::findCurved()
 {
-    atEdges_.clear();
+    curved_.clear();
+    searchOf_.clear();
+    searched_.clear();
     const medianDual& dual = side_.body->dual();
     const label d = dual.nDim();
 
     // Allowed motion of corner and obstacle together, in any direction
     const scalar reach = 2*allowed_*Foam::sqrt(scalar(d));
-    const scalar most = 0.5*sqr(reach)/leastWidth_;
 
     pointField probes(2*d*planes_.size());
     label n = 0;
@@ -170,6 +171,7 @@ void Foam::obstacleInterface::findEdges()
         probes, scalarField(probes.size(), sqr(GREAT)), hits
     );
     n = 0;
+    Map<label> searchOfNode;
     forAll(planes_, k)
     {
         bool leaves = false;
@@ -179,28 +181,39 @@ void Foam::obstacleInterface::findEdges()
             const scalar gap = mag((probes[n] - planes_[k].x) & planes_[k].n);
             leaves =
                 leaves
-             || mag(mag(probes[n] - hits[n].hitPoint()) - gap) > most;
+             || mag(mag(probes[n] - hits[n].hitPoint()) - gap)
+              > edgeRoundOff*leastWidth_;
         }
-        if (leaves) atEdges_.append(k);
+        if (!leaves) continue;
+
+        const label corner = planes_[k].corner;
+        const label node = side_.geometry().cornerNode[corner];
+        if (searchOfNode.insert(node, searched_.size()))
+        {
+            searched_.append(corner);
+        }
+        curved_.append(k);
+        searchOf_.append(searchOfNode[node]);
     }
 }
 
 
-void Foam::obstacleInterface::followEdges()
+void Foam::obstacleInterface::followCurved()
 {
-    if (atEdges_.empty()) return;
+    if (curved_.empty()) return;
 
-    pointField X(atEdges_.size());
-    forAll(X, k) X[k] = placeOf(planes_[atEdges_[k]].corner);
+    pointField X(searched_.size());
+    forAll(X, i) X[i] = placeOf(searched_[i]);
     List<pointIndexHit> hits;
     vectorField normals;
     nearestTo(X, hits, normals);
-    forAll(X, k)
+    forAll(curved_, k)
     {
-        if (!hits[k].hit()) continue;
-        plane& its = planes_[atEdges_[k]];
-        its.x = hits[k].hitPoint();
-        its.n = normals[k];
+        const label i = searchOf_[k];
+        if (!hits[i].hit()) continue;
+        plane& its = planes_[curved_[k]];
+        its.x = hits[i].hitPoint();
+        its.n = normals[i];
     }
 }
 
@@ -542,7 +555,7 @@ bool Foam::obstacleInterface::update(const scalar time, const bool)
       ? 0.5*(nearest - leastWidth_)
       + surfaceMotion::largestDistance*leastWidth_
       : surfaceMotion::usualDistance*leastWidth_;
-    findEdges();
+    findCurved();
     const boundBox box(sideMotion_.box());
     reach_.clear();
     if (motion_.moves() && box.min().x() <= box.max().x())
@@ -579,7 +592,7 @@ void Foam::obstacleInterface::find(const scalar time)
 
     motion_.setTime(time);
     forceTime_ = time;
-    followEdges();
+    followCurved();
     findForces();
 }
 
