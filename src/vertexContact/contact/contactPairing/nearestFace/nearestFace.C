@@ -54,12 +54,12 @@ bool behind
 {
     vector n;
     contactOverlaps::commonNormal(a.n, b.n, n);
-    const scalar depth = min(a.depth, b.depth);
+    const scalar depth = 0.5*(a.depth + b.depth);
     return ((b.centre - a.centre) & n) < -(1 + sameNode)*depth;
 }
 
 //- The gap of two faces along n is at most their width, and the penetration of
-//  their centres at most the thickness of the thinner of the cells behind
+//  their centres at most the thickness of the cells behind
 bool close(const contactFace& a, const contactFace& b, const vector& n)
 {
     scalar top = -GREAT, bottom = GREAT;
@@ -67,7 +67,7 @@ bool close(const contactFace& a, const contactFace& b, const vector& n)
     for (label i = 0; i < b.size; ++i) bottom = min(bottom, b.x[i] & n);
     return
         bottom - top <= 0.5*(a.width + b.width)
-     && ((b.centre() - a.centre()) & n) >= -min(a.depth[0], b.depth[0]);
+     && ((b.centre() - a.centre()) & n) >= -0.5*(a.depth[0] + b.depth[0]);
 }
 
 //- An order of the faces of a surface that is the same on any number of ranks:
