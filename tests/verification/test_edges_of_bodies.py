@@ -345,11 +345,10 @@ def test_blocks_thrown_at_each_other(tmp_path, figures, nDim, seed, kind):
                  largest(p.sum(axis=0) - p.sum(axis=0)[0])/largest(p), 1e-12)
 
 
-@pytest.mark.parametrize("seed", (1052, 1251, 1306))
+@pytest.mark.parametrize("seed", (1016, 1023, 1027))
 def test_plates_thrown_at_each_other(tmp_path, figures, seed):
-    """The edge of a plate hits a block with larger cells. Faces of the block
-    behind the plate do not meet its front: earlier they did, and the run
-    stopped, since the front was far inside the block."""
+    """Plates and blocks lose a quarter of their energy as they hit each other,
+    and contact gives none."""
     case = collide(tmp_path, thrownPlates(seed), 14)
     E = case.keptEnergy
     W = case.energies["total:contactWork"]

@@ -225,7 +225,7 @@ bool Foam::contactOverlaps::beside
         const vector2D& x = common.p[i];
         deepest = max(deepest, (a.above(x) - b.above(x)) & n);
     }
-    if (deepest > min(minus.depth[0], plus.depth[0])) return true;
+    if (deepest > 0.5*(minus.depth[0] + plus.depth[0])) return true;
     if (inside <= 0) return false;
     if (!ends(minus) || !ends(plus)) return false;
 
