@@ -10,6 +10,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "solidBody.H"
+#include "bodyThickness.H"
 #include "dictionaryCheck.H"
 #include "emptyPolyPatch.H"
 #include "fileError.H"
@@ -248,6 +249,31 @@ Foam::scalar Foam::solidBody::surfaceArea
     scalar along = 0;
     for (label i = 0; i < d; ++i) along += all[i]*patch.cornerNormal[k*d + i];
     return max(along, patch.cornerArea[k]);
+}
+
+
+Foam::scalar Foam::solidBody::deepestContact() const
+{
+    scalar most = 0;
+    for (const label patchi : contactPatches())
+    {
+        for (const scalar depth : surfaces_[patchi].depth)
+        {
+            most = max(most, depth);
+        }
+    }
+    return most;
+}
+
+
+void Foam::solidBody::findThickness(const scalar within)
+{
+    const labelList patches(contactPatches());
+    List<scalarField> all
+    (
+        bodyThickness::behind(mesh_, patches, mirrorPatches_, within)
+    );
+    forAll(patches, i) surfaces_[patches[i]].thickness.transfer(all[i]);
 }
 
 

@@ -71,6 +71,21 @@ void Foam::contactSystem::setOpposite()
 }
 
 
+void Foam::contactSystem::findThickness()
+{
+    // The paper's scheme does not need it
+    if (leaping_.empty()) return;
+
+    scalar most = 0;
+    for (const solidBody& body : bodies_)
+    {
+        most = max(most, body.deepestContact());
+    }
+    reduce(most, maxOp<scalar>());
+    for (solidBody& body : bodies_) body.findThickness(most);
+}
+
+
 void Foam::contactSystem::findUnopposed()
 {
     // The paper's interfaces do not tell what is opposite
@@ -176,6 +191,7 @@ void Foam::contactSystem::read(const Time& runTime)
             [&]() { properties_.reset(new watchedDictionary(contactIO)); }
         );
         const dictionary& list = dictionaries();
+        findThickness();
         // General contact comes last: it leaves out pairs that have an
         // interface of their own
         for (const bool general : {false, true})

@@ -143,10 +143,11 @@ contactFace placedFace
 {
     const dualPatch& patch = side.geometry();
     const medianDual& dual = at.body.dual();
-    const scalarField& depth = at.body.surface(side.patchi).depth;
+    const bodySurface& surface = at.body.surface(side.patchi);
 
     contactFace f;
     f.size = its.size;
+    if (surface.thickness.size()) f.thickness = surface.thickness[its.index];
     f.out = at.out;
     vector mean(Zero);
     for (label j = 0; j < f.size; ++j)
@@ -155,7 +156,7 @@ contactFace placedFace
         const label a = patch.cornerNode[k];
         f.X[j] = dual.position(a);
         f.x[j] = at(a);
-        f.depth[j] = depth[k];
+        f.depth[j] = surface.depth[k];
         mean += dual.cornerNormal(patch, k);
     }
     f.N = mean/mag(mean);

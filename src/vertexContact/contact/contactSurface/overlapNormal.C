@@ -225,11 +225,12 @@ bool Foam::contactOverlaps::beside
         const vector2D& x = common.p[i];
         deepest = max(deepest, (a.above(x) - b.above(x)) & n);
     }
-    if (deepest > 0.5*(minus.depth[0] + plus.depth[0])) return true;
+    if (deepest > deepestMeeting(minus, plus)) return true;
     if (inside <= 0) return false;
     if (!ends(minus) || !ends(plus)) return false;
 
-    // Least displacement that moves one of them out over an end
+    // Along the normal of an end, over an end of the other face that looks
+    // against it
     scalar least = GREAT;
     const auto leave = [&]
     (
@@ -239,25 +240,14 @@ bool Foam::contactOverlaps::beside
     {
         for (label i = 0; i < over.size; ++i)
         {
-            if (!over.face.ends[i]) continue;
-            scalar furthest = 0;
-            label which = -1;
-            for (label k = 0; k < common.size; ++k)
+            for (label j = 0; over.face.ends[i] && j < other.size; ++j)
             {
-                const scalar way = over.within(i, common.p[k]);
-                if (way > furthest)
-                {
-                    furthest = way;
-                    which = k;
-                }
-            }
-            if
-            (
-                which >= 0
-             && other.endsAt(common.p[which], over.inward(i))
-            )
-            {
-                least = min(least, furthest);
+                const scalar against = -(over.inward(i) & other.inward(j));
+                if (!other.face.ends[j] || against <= 0) continue;
+                least = min
+                (
+                    least, over.within(i, at) + other.within(j, at)/against
+                );
             }
         }
     };

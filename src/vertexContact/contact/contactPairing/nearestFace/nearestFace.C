@@ -59,7 +59,7 @@ bool behind
 }
 
 //- The gap of two faces along n is at most their width, and the penetration of
-//  their centres at most the thickness of the cells behind
+//  their centres at most that of faces that meet
 bool close(const contactFace& a, const contactFace& b, const vector& n)
 {
     scalar top = -GREAT, bottom = GREAT;
@@ -67,7 +67,8 @@ bool close(const contactFace& a, const contactFace& b, const vector& n)
     for (label i = 0; i < b.size; ++i) bottom = min(bottom, b.x[i] & n);
     return
         bottom - top <= 0.5*(a.width + b.width)
-     && ((b.centre() - a.centre()) & n) >= -0.5*(a.depth[0] + b.depth[0]);
+     && ((b.centre() - a.centre()) & n)
+     >= -contactOverlaps::deepestMeeting(a, b);
 }
 
 //- An order of the faces of a surface that is the same on any number of ranks:
@@ -112,14 +113,8 @@ bool mayEverMeet(const contactFace& a, const contactFace& b)
     const bool faced = opposite && along > 0;
 
     // Both sides of the same part of the body, however thick it is
-    if
-    (
-        opposite && along < 0
-     && mag(between - along*a.N) < justBelow*(radius + otherRadius)
-    )
-    {
-        return false;
-    }
+    const scalar beside = mag(between - along*a.N) - radius - otherRadius;
+    if (opposite && along < 0) return beside >= justBelow*neighbours*width;
     return closest >= justBelow*neighbours*width || faced;
 }
 
