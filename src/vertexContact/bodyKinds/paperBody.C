@@ -298,6 +298,7 @@ void Foam::paperBody::prepare(const scalar time, const bool moved)
     {
         contact_.force = vector::zero;
         contact_.area = Zero;
+        contact_.swept = Zero;
         contact_.gap = GREAT;
     }
 }

@@ -282,14 +282,15 @@ Foam::labelList Foam::solidBody::pressedInside(const scalar share) const
     DynamicList<label> nodes;
     if (!contact_.on()) return nodes;
 
-    for (const label patchi : contactPatches())
+    const scalarField& area = contact_.area;
+    forAll(surfaces_, patchi)
     {
-        const labelList& cornerNode = dual_.patches()[patchi].cornerNode;
+        // Contact patches have places
         const scalarField& depth = surfaces_[patchi].depth;
-        forAll(cornerNode, k)
+        forAll(surfaces_[patchi].place, k)
         {
-            const label a = cornerNode[k];
-            if (contact_.touches(a) && contact_.gap[a] < -share*depth[k])
+            const label a = dual_.patches()[patchi].cornerNode[k];
+            if (area[a] > 0 && contact_.swept[a] < -share*depth[k]*area[a])
             {
                 nodes.append(a);
             }

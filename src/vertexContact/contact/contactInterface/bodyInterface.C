@@ -65,7 +65,6 @@ void Foam::bodyInterface::setKernel()
     labelList slots(minus_.geometry().nCorners());
     minusCorners_ =
         contactOverlaps::usedCorners(overlaps, &contactOverlap::minus, slots);
-    closed_.setSize(minusCorners_.size(), false);
     if (!pairing_->active()) return;
 
     // Initial gaps of bonded surfaces, from positions of both sides
@@ -287,14 +286,6 @@ void Foam::bodyInterface::forOpposite(const visitor& visit) const
     }
     visit(minus_, minusCorners_, minus);
     visit(plus_, pairing_->plusCorners(), plus);
-}
-
-
-void Foam::bodyInterface::remember()
-{
-    const bodyContact& contact = minus_.body->contact();
-    const labelList& node = minus_.geometry().cornerNode;
-    forAll(closed_, i) closed_[i] = contact.touches(node[minusCorners_[i]]);
 }
 
 

@@ -199,11 +199,6 @@ void Foam::bodyInterface::findNear()
             countClosing(p, b.depth[l]);
             if (!bonded) askPush(p, b.depth[l], deltaT);
             tellGap(b, l, p.gap);
-            checkPassed
-            (
-                closed_[slot], minus_, minusCorners_[slot], p.gap,
-                passedDepth*b.depth[l], b.depth[l]
-            );
         }
     }
 
@@ -342,6 +337,7 @@ void Foam::bodyInterface::solveNear()
 
             acts[l] = true;
             contactAnswer told(answer(p, p.area));
+            if (law_->bonded()) told.swept = 0;
             for (int c = 0; c < 3; ++c)
             {
                 force[c][l] = near.whole[k]*p.result.t[c];

@@ -200,6 +200,14 @@ Foam::paperBodyInterface::paperBodyInterface
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+void Foam::paperBodyInterface::remember()
+{
+    const bodyContact& contact = minus_.body->contact();
+    const labelList& node = minus_.geometry().cornerNode;
+    forAll(closed_, i) closed_[i] = contact.touches(node[minusCorners_[i]]);
+}
+
+
 void Foam::paperBodyInterface::solve(const bool firstStage)
 {
     if (!pairing_->active()) return;
