@@ -171,6 +171,29 @@ def test_linear_law_blows_up(tmp_path, preset):
     assert "region body, node at" in output, output
 
 
+@pytest.mark.parametrize("cells, ranks", (((3, 3), 1), ((3, 3), 2),
+                                          ((3, 3, 3), 2)))
+def test_folded_cells(tmp_path, cells, ranks):
+    """One inner node lies beyond the diagonal of one of its cells, but its
+    Jacobian, the mean of its cells, does not change."""
+    def output(share):
+        def moved(X):
+            near = np.all(np.isclose(X[:, :len(cells)], 1/3), axis=1)
+            return -share/3*np.outer(near, np.arange(3) < len(cells))
+        case = SmallCase(
+            tmp_path/f"{share}", Body(cells, displacement=moved,
+                                      material=RUBBER), 1e-6,
+            control={"adjustTimeStep": "no", "deltaT": 1e-6}, preset=DEFAULT)
+        code, log = case.attempt(ranks)
+        assert code == 0, log
+        return log
+
+    folded = output(0.7)
+    assert "are folded" in folded and "region body" not in folded, folded
+    assert f" 1 of {3**len(cells)} cells are folded" in folded, folded
+    assert "are folded" not in output(0.2)
+
+
 def test_surface_goes_through(tmp_path):
     """Rubber bars meet at 0.8 of their wave speed. The wave speed c_p of the
     undeformed material is too small there."""

@@ -298,7 +298,6 @@ void Foam::paperBody::prepare(const scalar time, const bool moved)
     {
         contact_.force = vector::zero;
         contact_.area = Zero;
-        contact_.swept = Zero;
         contact_.gap = GREAT;
     }
 }

@@ -32,7 +32,6 @@ void Foam::bodyContact::start()
     gap.setSize(n, GREAT);
     force.setSize(n, vector::zero);
     area.setSize(n, Zero);
-    swept.setSize(n, Zero);
 }
 
 
@@ -61,7 +60,6 @@ void Foam::bodyContact::clear()
     {
         force[a] = vector::zero;
         area[a] = 0;
-        swept[a] = 0;
         for (label i = 0; i < d; ++i) forces_[a*d + i] = 0;
     }
 }

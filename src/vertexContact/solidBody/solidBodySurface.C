@@ -282,15 +282,14 @@ Foam::labelList Foam::solidBody::pressedInside(const scalar share) const
     DynamicList<label> nodes;
     if (!contact_.on()) return nodes;
 
-    const scalarField& area = contact_.area;
-    forAll(surfaces_, patchi)
+    for (const label patchi : contactPatches())
     {
-        // Contact patches have places
+        const labelList& cornerNode = dual_.patches()[patchi].cornerNode;
         const scalarField& depth = surfaces_[patchi].depth;
-        forAll(surfaces_[patchi].place, k)
+        forAll(cornerNode, k)
         {
-            const label a = dual_.patches()[patchi].cornerNode[k];
-            if (area[a] > 0 && contact_.swept[a] < -share*depth[k]*area[a])
+            const label a = cornerNode[k];
+            if (contact_.touches(a) && contact_.gap[a] < -share*depth[k])
             {
                 nodes.append(a);
             }

@@ -5,6 +5,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "runWarnings.H"
+#include "foldedCells.H"
+#include "nodeMessage.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -48,6 +50,41 @@ void Foam::runWarnings::checkDeformations
                 << "    neoHookean is a law of large strains; "
                 << "tests/benchmark/features.md has its cost per step." << endl;
         }
+    }
+}
+
+
+void Foam::runWarnings::checkCells(const PtrList<solidBody>& bodies)
+{
+    forAll(bodies, i)
+    {
+        const solidBody& body = bodies[i];
+        if (folded_[i] || body.rigid()) continue;
+        const labelList& node = body.dual().pointNode();
+        pointField x(node.size());
+        forAll(x, p)
+        {
+            x[p] = body.mesh().points()[p]
+              + body.position(node[p]) - body.meshPoint(node[p]);
+        }
+        const labelList folds(foldedCells(body.mesh(), x));
+        const label all = returnReduce(folds.size(), sumOp<label>());
+        if (!all) continue;
+
+        folded_[i] = true;
+        const string where = nodeMessage::firstOf
+        (
+            folds.empty() ? string() : body.whereIs(node[folds[0]])
+        );
+        WarningInFunction
+            << "Region " << body.name() << ": at time "
+            << body.mesh().time().timeName() << ' ' << all << " of "
+            << returnReduce(body.mesh().nCells(), sumOp<label>())
+            << " cells are folded: edges at a corner have changed their "
+            << "orientation, at first at the " << where.c_str() << '.' << nl
+            << "    Stresses are wrong there. Likely cures: a finer mesh, or "
+            << "round edges of what presses there; a new mesh of the deformed "
+            << "body, with mapState." << endl;
     }
 }
 

@@ -84,6 +84,7 @@ void Foam::solidSystem::writeIfDue()
     if (runTime_.writeTime())
     {
         writtenTimes::check(*this);
+        warnings_.checkCells(bodies_);
     }
 }
 

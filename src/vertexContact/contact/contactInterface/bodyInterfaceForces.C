@@ -336,8 +336,16 @@ void Foam::bodyInterface::solveNear()
             if (p.result.state == acousticRiemann::status::open) continue;
 
             acts[l] = true;
+            // An overlap that has lost its area, or found as much again, has
+            // left its place: its gap is not that of the surfaces any more
+            const scalar change = p.area/near.whole[k];
+            checkPassed
+            (
+                change > 0 && change < 2, minus_,
+                minusCorners_[b.minus.slot[0][l]], p.gap,
+                passedDepth*b.depth[l], b.depth[l]
+            );
             contactAnswer told(answer(p, p.area));
-            if (law_->bonded()) told.swept = 0;
             for (int c = 0; c < 3; ++c)
             {
                 force[c][l] = near.whole[k]*p.result.t[c];

@@ -150,7 +150,6 @@ Foam::contactAnswer Foam::contactInterface::answer
     {
         a.force = area*p.result.t;
         a.area = area;
-        a.swept = area*p.gap;
         a.status = int(p.result.state);
     }
     return a;
@@ -247,7 +246,6 @@ void Foam::contactInterface::setState
     {
         out.force[node] += answer.force;
         out.area[node] += answer.area;
-        out.swept[node] += answer.swept;
         if (newStatus)
         {
             out.status[node] = max(out.status[node], answer.status);
