@@ -383,3 +383,27 @@ def test_rows_of_every_function_object(tmp_path, figures):
                             or largest(found - wanted) > 1e-9):
                         other.append(f"{kind}: {file}")
             f.equal(f"tables with other rows, {control}", other, [])
+
+
+def test_other_columns_after_a_restart(tmp_path, figures):
+    """A run goes on with damping: its table of energies gets new columns."""
+    body = Body((4, 4), velocity=lambda X: 0.01*X)
+    case = SmallCase(tmp_path, body, 2, preset="balanced").run()
+    before = readResults.table(tmp_path, "solidEnergies", "energies.dat")
+    case.set("system/controlDict", {
+        "endTime": 4, "damping": {"body": {"coefficient": 0.1}}})
+    case.run()
+    joined = readResults.table(tmp_path, "solidEnergies", "energies.dat")
+    t = joined["Time"]
+    new = [key for key in joined if key not in before]
+    kinetic = before["total:kinetic"]
+    with figures("energies of a run that goes on with damping") as f:
+        f.equal("names of damping", all("amping" in key for key in new), True)
+        f.atLeast("new columns", len(new), 1)
+        f.equal("values before the restart, whose own row counts",
+                bool((joined["total:kinetic"][:len(kinetic) - 1]
+                      == kinetic[:-1]).all()), True)
+        for key in new:
+            known = np.isfinite(joined[key])
+            f.equal(f"{key} is known after the restart",
+                    bool((known == (t >= before["Time"][-1])).all()), True)

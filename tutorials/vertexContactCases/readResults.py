@@ -57,17 +57,38 @@ def _joined(files):
     return header, data
 
 
+def _columns(header, data, name):
+    """Columns of a segment as a dictionary."""
+    keys = [key.split("[")[0] for key in header[-1].lstrip("#").split()]
+    if len(keys) != data.shape[1]:
+        raise ValueError(f"{name}: {len(keys)} names for {data.shape[1]} "
+                         "columns")
+    return {key: column.astype(str if isinstance(column[0], str) else float)
+            for key, column in zip(keys, data.T)}
+
+
 def table(case, functionObject, name):
     """Columns of a table as a dictionary with keys without units, such as
     'Time' or 'bar1:kinetic'. Columns of names, such as 'minus' and 'plus' if
-    each pair of surfaces has rows of its own, are strings."""
-    header, data = _joined(_segments(case, functionObject, name))
-    keys = [key.split("[")[0] for key in header[-1].lstrip("#").split()]
-    if len(keys) != data.shape[1]:
-        raise ValueError(f"{functionObject}/{name}: {len(keys)} names for "
-                         f"{data.shape[1]} columns")
-    return {key: column.astype(str if isinstance(column[0], str) else float)
-            for key, column in zip(keys, data.T)}
+    each pair of surfaces has rows of its own, are strings. Where a run was
+    continued with other columns, such as those of damping, values that a
+    segment lacks are nan."""
+    files = _segments(case, functionObject, name)
+    joined = {}
+    for file in files:
+        header, data = _read(file)
+        if not data.size:
+            continue
+        columns = _columns(header, data, f"{functionObject}/{name}")
+        kept = np.array([t < data[0, 0] for t in joined.get("Time", ())],
+                        dtype=bool)
+        nan = {key: np.full(len(data), np.nan) for key in joined}
+        before = np.full(len(kept), np.nan)
+        joined = {key: np.concatenate((joined.get(key, before)[kept], column))
+                  for key, column in {**nan, **columns}.items()}
+    if not joined:
+        raise ValueError(f"no rows in {files[-1]}")
+    return joined
 
 
 def probe(case, functionObject, field, point=0):
