@@ -332,6 +332,28 @@ def test_bent_beam(tmp_path, figures):
         reportedPeriods(f, case, period)
 
 
+def test_few_cells_over_a_beam(tmp_path, figures):
+    """A cantilever of square cells is too stiff with few of them over its
+    thickness, and converges."""
+    height, force, nu = 0.1, 1e-8, 0.3
+    stiffness = 1/(1 - nu**2)       # plane strain
+    theory = force*(1/(3*stiffness*height**3/12)
+                    + 1.2*2*(1 + nu)/height)
+    ratio = {}
+    for cells in (1, 2, 4, 8):
+        body = Body(cells=(10*cells, cells), size=(1, height, 1),
+                    material={**ELASTIC, "nu": nu}, sides={
+                        "left": HELD, "right": condition(
+                            "traction", traction=(0, force/height, 0))})
+        case = finished(make(tmp_path/str(cells), body, 1000,
+                             relaxation=relaxing(1e-4)))
+        ratio[cells] = max(case.at("pointD")[:, 1])/theory
+    with figures("deflection of a cantilever / theory") as f:
+        for cells, expected in zip(ratio, (0.62, 0.86, 0.96, 0.99)):
+            f.within(f"with {cells} cells over the thickness", ratio[cells],
+                     expected, 0.01)
+
+
 def rings(folder, interference=1e-3, relaxes=True, **control):
     """A quarter of two rings, one pressed onto the other."""
     a, b, c = 0.6, 0.8, 1.0
