@@ -205,6 +205,37 @@ void Foam::variationalBody::holdDissipation()
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+void Foam::variationalBody::setHolding(const List<boolList>& corners)
+{
+    // Area at each node, summed over all surfaces that hold
+    scalarField area(dual_.nNodes(), Zero);
+    for (const label patchi : contactPatches())
+    {
+        const dualPatch& patch = dual_.patches()[patchi];
+        forAll(corners[patchi], k)
+        {
+            if (corners[patchi][k])
+            {
+                area[patch.cornerNode[k]] += patch.cornerArea[k];
+            }
+        }
+    }
+    dual_.sharing().sum(area.data(), 1);
+
+    for (const label patchi : contactPatches())
+    {
+        bodySurface& its = surfaces_[patchi];
+        its.holdCompliance.setSize(its.rimNode.size());
+        forAll(its.rimNode, k)
+        {
+            const label a = dual_.patches()[patchi].cornerNode[k];
+            its.holdCompliance[k] =
+                its.rimNode[k] ? area[a]/dual_.nodeVolume()[a] : 0;
+        }
+    }
+}
+
+
 void Foam::variationalBody::evaluate
 (
     const scalar time,

@@ -38,6 +38,59 @@ const Foam::dictionary& Foam::contactSystem::dictionaries() const
 }
 
 
+void Foam::contactSystem::findHolding()
+{
+    holding_.setSize(bodies_.size(), false);
+    for (const contactInterface& contact : interfaces_)
+    {
+        if (!contact.holds()) continue;
+        const List<contactSide> sides(contact.sides());
+        for (const contactSide& side : sides)
+        {
+            forAll(bodies_, i)
+            {
+                holding_[i] = holding_[i] || side.body == &bodies_[i];
+            }
+        }
+    }
+}
+
+
+void Foam::contactSystem::setHolding()
+{
+    if (!holding_.found(true)) return;
+
+    List<List<boolList>> corners(bodies_.size());
+    forAll(bodies_, i)
+    {
+        corners[i].setSize(bodies_[i].mesh().boundaryMesh().size());
+    }
+    const contactInterface::visitor visit = [&]
+    (
+        const contactSide& side,
+        const labelUList& some,
+        const scalar
+    )
+    {
+        forAll(bodies_, i)
+        {
+            if (side.body != &bodies_[i]) continue;
+            boolList& its = corners[i][side.patchi];
+            its.setSize(side.geometry().nCorners(), false);
+            for (const label k : some) its[k] = true;
+        }
+    };
+    for (const contactInterface& contact : interfaces_)
+    {
+        contact.forHolding(visit);
+    }
+    forAll(bodies_, i)
+    {
+        if (holding_[i]) bodies_[i].setHolding(corners[i]);
+    }
+}
+
+
 void Foam::contactSystem::setOpposite()
 {
     for (solidBody& body : bodies_)
@@ -213,6 +266,8 @@ void Foam::contactSystem::read(const Time& runTime)
     (
         contactIO.objectPath(), bodies_, interfaces_
     );
+    findHolding();
+    setHolding();
     setOpposite();
 }
 
@@ -226,6 +281,8 @@ bool Foam::contactSystem::readModifiedLaws()
         contact.readLaw(list.subDict(contact.dictName()));
     }
     properties_->changed = false;
+    findHolding();
+    setHolding();
     return true;
 }
 
@@ -293,6 +350,7 @@ void Foam::contactSystem::pair(const scalar time, const bool all)
         if (contact.moves()) found = contact.update(time, all) || found;
     }
     nPairings_ += found;
+    setHolding();
     setOpposite();
     if (found) findUnopposed();
 }

@@ -19,12 +19,13 @@ void Foam::bodyInterface::findStates
     const contactSide& side,
     const labelList& corners,
     List<surfaceState>& states
-)
+) const
 {
     const solidBody& body = *side.body;
     const dualPatch& patch = side.geometry();
     const boolList& rim = body.surface(side.patchi).rimNode;
     const bool rigid = body.surface(side.patchi).nodeArea.empty();
+    const bool holding = holds();
     const label d = body.dual().nDim();
     const scalar* disp = body.state().disp.cdata();
 
@@ -38,7 +39,13 @@ void Foam::bodyInterface::findStates
         s.v = body.contact().velocityWithout(node);
         s.stretch = mag(area);
         s.n = area/s.stretch;
-        s.compliance = s.stretch*body.surfaceCompliance(side.patchi, k);
+        s.compliance =
+            s.stretch
+           *(
+                holding
+              ? body.holdCompliance(side.patchi, k)
+              : body.surfaceCompliance(side.patchi, k)
+            );
         s.inner = rim.size() && rim[k] ? 0 : 1;
         s.shared = 0;
 

@@ -421,6 +421,12 @@ void Foam::generalInterface::forOpposite(const visitor& visit) const
 }
 
 
+void Foam::generalInterface::forHolding(const visitor& visit) const
+{
+    for (const label i : active_) parts_[i].forHolding(visit);
+}
+
+
 void Foam::generalInterface::find(const scalar)
 {
     if (!variational()) return;

@@ -505,6 +505,16 @@ bool Foam::generalInterface::describedBy(const dictionary& dict)
 }
 
 
+bool Foam::generalInterface::holds() const
+{
+    for (const dictionary& rule : rules_)
+    {
+        if (contactLaw::ofInterface(rule)->sticks()) return true;
+    }
+    return false;
+}
+
+
 void Foam::generalInterface::readLaw(const dictionary& dict)
 {
     contactInterface::readLaw(dict);

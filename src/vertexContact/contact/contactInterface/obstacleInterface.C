@@ -271,11 +271,16 @@ void Foam::obstacleInterface::findForces()
         setObstacle(i, p);
 
         const bool facing = contactOverlaps::face(area, p.n);
+        const scalar seen = facing ? area & p.n : stretch;
+        const scalar pressed =
+            facing
+          ? complianceAlong(k, p.n, seen/stretch, stretch, p.area)
+          : stretch*body.surfaceCompliance(side_.patchi, k);
         const contactLayer layer
         (
-            facing
-          ? complianceAlong(k, p.n, (area & p.n)/stretch, stretch, p.area)
-          : stretch*body.surfaceCompliance(side_.patchi, k)
+            remembers
+          ? max(pressed, seen*body.holdCompliance(side_.patchi, k))
+          : pressed
         );
         layer.set
         (
@@ -573,6 +578,27 @@ bool Foam::obstacleInterface::update(const scalar time, const bool)
 void Foam::obstacleInterface::forOpposite(const visitor& visit) const
 {
     visit(side_, nearCorners(), 0);
+}
+
+
+void Foam::obstacleInterface::forHolding(const visitor& visit) const
+{
+    if (!holds()) return;
+
+    DynamicList<label> facing;
+    const quaternion& r = motion_.pose().r();
+    for (const plane& its : planes_)
+    {
+        const vector area
+        (
+            side_.body->currentArea(side_.geometry(), its.corner)
+        );
+        if (contactOverlaps::face(area, -r.transform(its.n)))
+        {
+            facing.append(its.corner);
+        }
+    }
+    visit(side_, facing, 0);
 }
 
 
