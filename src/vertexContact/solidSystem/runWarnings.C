@@ -165,7 +165,9 @@ void Foam::runWarnings::reportGain() const
             << "The energies do not balance: " << 100*unbalanced_
             << " % of them is not accounted for ('balance' in the log)." << nl
             << "    Likely cures: a smaller maxCo, or 'preset balanced' "
-            << "instead of 'fast'; a finer mesh." << endl;
+            << "instead of 'fast'; a finer mesh." << nl
+            << "    A restart with another mass, material or scheme also "
+            << "changes the energy." << endl;
     }
     if (given_ > least)
     {
