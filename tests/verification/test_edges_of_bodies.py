@@ -615,3 +615,27 @@ def test_held_in_a_corner(tmp_path, figures, nDim, cells, law, walls):
                  work.max()/case.totalEnergy.max(), 1e-6)
         f.atMost("work of contact in the second half / largest energy",
                  (work[-1] - work[len(work)//2])/case.totalEnergy.max(), 1e-3)
+
+
+def test_rests_in_a_corner(tmp_path, figures):
+    """What sticking surfaces give way at their common edge, at rest."""
+    block = Body((4, 4), name="block", sides={
+        **dict.fromkeys(("left", "bottom"), "contact"),
+        **dict.fromkeys(("right", "top"),
+                        {"type": "pressure", "pressure": 0.05})})
+    walls = {side: {"side": ("block", side), "law": coulomb(0.5), "obstacle": {
+        "type": "plane", "planeType": "pointAndNormal", "pointAndNormalDict": {
+            "point": (0, 0, 0), "normal": np.eye(3)[i]}}}
+        for i, side in enumerate(("left", "bottom"))}
+    case = finished(SmallCase(
+        tmp_path, block, 100, walls, functions=("contactForces",),
+        control={"maxCo": 0.9, "damping": {"block": {"coefficient": 0.5}}},
+        preset=DEFAULT))
+    E = case.energies
+    with figures("a block in a corner with friction") as f:
+        f.atMost("kinetic energy at the end / strain energy",
+                 E["total:kinetic"][-1]/E["total:strain"][-1], 1e-12)
+        for side in walls:
+            f.within(f"penetration at the {side} / face",
+                     case.contact(side)["relativePenetration"][-1], 0.008,
+                     0.001)
