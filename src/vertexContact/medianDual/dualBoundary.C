@@ -20,27 +20,13 @@
 namespace Foam
 {
 
-//- Weights of one face, scalar and vector, by (corner, node)
-class cornerWeights
+//- Weights of one face in a dualPatch, scalar and vector, by (corner, node)
+struct cornerWeights
 {
-public:
-
-    label n;
-    scalar s[4][4];
-    scalar w[4][4][3];
-
-    explicit cornerWeights(const label nCorners)
-    :
-        n(nCorners)
-    {
-        for (label a = 0; a < n; ++a)
-        {
-            for (label j = 0; j < n; ++j)
-            {
-                s[a][j] = w[a][j][0] = w[a][j][1] = w[a][j][2] = 0;
-            }
-        }
-    }
+    const label n;
+    const label nDim;
+    scalar* s;
+    scalar* w;
 
     void add
     (
@@ -48,13 +34,13 @@ public:
         const label j,
         const scalar factor,
         const scalar area,
-        const scalar* vec,
-        const label nDim
+        const scalar* vec
     )
     {
-        s[a][j] += factor*area;
+        const label i = a*n + j;
+        s[i] += factor*area;
 
-        for (label k = 0; k < nDim; ++k) w[a][j][k] += factor*vec[k];
+        for (label k = 0; k < nDim; ++k) w[i*nDim + k] += factor*vec[k];
     }
 };
 
@@ -123,7 +109,7 @@ static void addTriangle
         {
             const scalar factor = share*(a == b ? 6 : 1)/24.0;
 
-            weights.add(corners[a], corners[b], factor, magnitude, area, 3);
+            weights.add(corners[a], corners[b], factor, magnitude, area);
         }
     }
 }
@@ -147,7 +133,7 @@ static void addFace3D
         {
             scalar area[3];
             nativeDual::cornerArea(n, a, x, area);
-            weights.add(a, a, 1, length(area, 3), area, 3);
+            weights.add(a, a, 1, length(area, 3), area);
         }
     }
     else if (n == 3)
@@ -190,7 +176,7 @@ static void addFace2D
             const scalar factor =
                 native ? (a == b ? 0.5 : 0) : (a == b ? 5 : 1)/12.0;
 
-            weights.add(a, b, factor, magnitude, area, 2);
+            weights.add(a, b, factor, magnitude, area);
         }
     }
 }
@@ -306,8 +292,8 @@ static void calculatePatch
     result.cornerPoint.setSize(nCorners);
     result.cornerArea.setSize(nCorners);
     result.cornerNormal.setSize(nCorners*nDim);
-    result.weights.setSize(nWeights);
-    result.weightVectors.setSize(nWeights*nDim);
+    result.weights.setSize(nWeights, Zero);
+    result.weightVectors.setSize(nWeights*nDim, Zero);
 
     for (label facei = 0; facei < nFaces; ++facei)
     {
@@ -329,7 +315,11 @@ static void calculatePatch
             }
         }
 
-        cornerWeights weights(n);
+        cornerWeights weights
+        {
+            n, nDim, result.weights.data() + result.weightStart[facei],
+            result.weightVectors.data() + result.weightStart[facei]*nDim
+        };
 
         if (nDim == 3)
         {
@@ -344,7 +334,7 @@ static void calculatePatch
             const vector outward = f.areaNormal(mesh.points());
             const scalar area = (outward[nodes.directions[0]] < 0 ? -1 : 1);
 
-            weights.add(0, 0, 1, 1, &area, 1);
+            weights.add(0, 0, 1, 1, &area);
         }
 
         for (label a = 0; a < n; ++a)
@@ -356,16 +346,11 @@ static void calculatePatch
 
             for (label j = 0; j < n; ++j)
             {
-                const label weighti = result.weightStart[facei] + a*n + j;
-
-                area += weights.s[a][j];
-                result.weights[weighti] = weights.s[a][j];
-
+                const label i = a*n + j;
+                area += weights.s[i];
                 for (label k = 0; k < nDim; ++k)
                 {
-                    normal[k] += weights.w[a][j][k];
-                    result.weightVectors[weighti*nDim + k] =
-                        weights.w[a][j][k];
+                    normal[k] += weights.w[i*nDim + k];
                 }
             }
 

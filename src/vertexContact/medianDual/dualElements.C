@@ -253,50 +253,22 @@ Foam::dualElements::dualElements
     start_(mesh.nCells() + 1),
     vertices_(mesh.nCells()*(nodes.nDim == 3 ? 8 : 2*nodes.nDim))
 {
-    // Not mesh.cells(), which would stay in memory
-    const faceList& faces = mesh.faces();
-    const labelList& owner = mesh.faceOwner();
-    const labelList& neighbour = mesh.faceNeighbour();
-
-    labelList faceStart(mesh.nCells() + 1, Zero);
-    forAll(owner, facei)
-    {
-        ++faceStart[owner[facei] + 1];
-    }
-    forAll(neighbour, facei)
-    {
-        ++faceStart[neighbour[facei] + 1];
-    }
-    for (label celli = 0; celli < mesh.nCells(); ++celli)
-    {
-        faceStart[celli + 1] += faceStart[celli];
-    }
-
-    labelList cellFaces(faceStart[mesh.nCells()]);
-    labelList fill(faceStart);
-    forAll(owner, facei)
-    {
-        cellFaces[fill[owner[facei]]++] = facei;
-
-        if (facei < neighbour.size())
-        {
-            cellFaces[fill[neighbour[facei]]++] = facei;
-        }
-    }
-
     List<labelList> outward;
 
     for (label celli = 0; celli < mesh.nCells(); ++celli)
     {
         start_[celli] = vertices_.size();
 
-        outward.setSize(faceStart[celli + 1] - faceStart[celli]);
+        // solidBody::releaseMeshTables frees the table of the cells
+        labelList cellFaces(mesh.cells()[celli]);
+        Foam::sort(cellFaces);
+        outward.setSize(cellFaces.size());
 
         forAll(outward, i)
         {
-            const label facei = cellFaces[faceStart[celli] + i];
-            const face& f = faces[facei];
-            const bool reverse = (owner[facei] != celli);
+            const label facei = cellFaces[i];
+            const face& f = mesh.faces()[facei];
+            const bool reverse = (mesh.faceOwner()[facei] != celli);
 
             outward[i].setSize(f.size());
             forAll(f, fp)
@@ -336,8 +308,6 @@ Foam::dualElements::dualElements
     }
 
     start_[mesh.nCells()] = vertices_.size();
-
-    // In 3D points are nodes
 }
 
 

@@ -214,8 +214,7 @@ Foam::medianDual::medianDual(const polyMesh& mesh, const cellTreatment cells)
         cells == cellTreatment::simplicialSingle,
         nDim_,
         nodePosition_,
-        elements,
-        mesh.comm()
+        elements
     );
 
     nodeGraph graph
@@ -406,9 +405,9 @@ void Foam::medianDual::report(Ostream& os) const
     scalar edges = nEdges();
     scalar memory = bytes();
 
-    reduce(nodes, sumOp<scalar>(), UPstream::msgType(), mesh_.comm());
-    reduce(edges, sumOp<scalar>(), UPstream::msgType(), mesh_.comm());
-    reduce(memory, sumOp<scalar>(), UPstream::msgType(), mesh_.comm());
+    reduce(nodes, sumOp<scalar>());
+    reduce(edges, sumOp<scalar>());
+    reduce(memory, sumOp<scalar>());
 
     os  << "    dual mesh: " << nDim_ << "D, cells "
         << cellTreatmentNames[cells_] << ", "

@@ -109,9 +109,7 @@ void Foam::nodeSharing::combine
             UPstream::commsTypes::nonBlocking,
             neighbours_[neighbouri],
             reinterpret_cast<char*>(received.get() + offset),
-            n*sizeof(scalar),
-            UPstream::msgType(),
-            comm_
+            n*sizeof(scalar)
         );
 
         offset += n;
@@ -138,9 +136,7 @@ void Foam::nodeSharing::combine
             UPstream::commsTypes::nonBlocking,
             neighbours_[neighbouri],
             reinterpret_cast<const char*>(sent.get() + offset),
-            n*sizeof(scalar),
-            UPstream::msgType(),
-            comm_
+            n*sizeof(scalar)
         );
 
         offset += n;
@@ -213,7 +209,6 @@ Foam::nodeSharing::nodeSharing
     const label nNodes
 )
 :
-    comm_(mesh.comm()),
     myPlace_(0),
     neighbours_(),
     sharedNodes_(),
@@ -223,7 +218,7 @@ Foam::nodeSharing::nodeSharing
 {
     if (!UPstream::parRun()) return;
 
-    const label myRank = UPstream::myProcNo(comm_);
+    const label myRank = UPstream::myProcNo();
 
     // Points on processor faces: the ranks that have them, and their lowest
     // id, which belongs to the lowest rank
@@ -272,7 +267,7 @@ Foam::nodeSharing::nodeSharing
     }
 
     label nShared = 0;
-    labelList nSharedWith(UPstream::nProcs(comm_), Zero);
+    labelList nSharedWith(UPstream::nProcs(), Zero);
 
     forAll(nodeRanks, node)
     {

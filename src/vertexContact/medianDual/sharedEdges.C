@@ -32,7 +32,7 @@ Foam::bitSet Foam::sharedEdges::merge
     const labelList& sharedNodes = sharing.sharedNodes();
     const labelList& globalNode = sharing.globalNode();
     const labelList& neighbours = sharing.neighbours();
-    const label myRank = UPstream::myProcNo(sharing.comm());
+    const label myRank = UPstream::myProcNo();
 
     // Neighbours of each shared node (their numbers, ascending)
     labelList sharedIndex(graph.nNodes(), label(-1));
@@ -87,12 +87,7 @@ Foam::bitSet Foam::sharedEdges::merge
         }
     }
 
-    PstreamBuffers buffers
-    (
-        UPstream::commsTypes::nonBlocking,
-        UPstream::msgType(),
-        sharing.comm()
-    );
+    PstreamBuffers buffers(UPstream::commsTypes::nonBlocking);
 
     forAll(neighbours, neighbouri)
     {

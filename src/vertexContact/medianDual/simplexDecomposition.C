@@ -232,8 +232,7 @@ Foam::simplexDecomposition::simplexDecomposition
     const bool single,
     const label nDim,
     const scalarField& x,
-    const dualElements& elements,
-    const label comm
+    const dualElements& elements
 )
 :
     single_(single && nDim > 1),
@@ -261,7 +260,7 @@ Foam::simplexDecomposition::simplexDecomposition
         }
     }
 
-    reduce(shortest, minOp<scalar>(), UPstream::msgType(), comm);
+    reduce(shortest, minOp<scalar>());
 
     const scalar step = max(placeTolerance*std::sqrt(shortest), VSMALL);
     const label nNodes = x.size()/nDim;

@@ -200,8 +200,8 @@ void Foam::solutionNodes::check(const polyMesh& mesh)
         largest = max(largest, extent);
     }
 
-    reduce(smallest, minOp<scalar>(), UPstream::msgType(), mesh.comm());
-    reduce(largest, maxOp<scalar>(), UPstream::msgType(), mesh.comm());
+    reduce(smallest, minOp<scalar>());
+    reduce(largest, maxOp<scalar>());
 
     if (largest > 0)
     {
