@@ -50,7 +50,6 @@ Foam::deformableBody::deformableBody()
     }
     if (material_->plastic())
     {
-        // The old state of a step has none: it is committed at the end
         data_.state.makePlastic();
         if (data_.variational) data_.state.keepFlow();
         const scalar T0 = material_->initialTemperature();

@@ -103,6 +103,15 @@ void Foam::conservedState::assignSolved(const conservedState& other)
 }
 
 
+void Foam::conservedState::assignPlastic(const conservedState& other)
+{
+    Cpi = other.Cpi;
+    epsilonPEq = other.epsilonPEq;
+    temperature = other.temperature;
+    hourglassShare = other.hourglassShare;
+}
+
+
 void Foam::conservedState::exchangeMomentum(conservedState& other)
 {
     lm.swap(other.lm);
