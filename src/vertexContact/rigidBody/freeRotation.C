@@ -60,12 +60,6 @@ Foam::freeRotation::freeRotation(const symmTensor& inertia)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::symmTensor Foam::freeRotation::inertia(const quaternion& q) const
-{
-    return along(axes_ & q.R().T(), moments_);
-}
-
-
 Foam::symmTensor Foam::freeRotation::inverse(const quaternion& q) const
 {
     return along

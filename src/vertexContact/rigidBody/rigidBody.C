@@ -102,13 +102,19 @@ Foam::vector Foam::rigidBody::freeTwist
 }
 
 
-Foam::vector Foam::rigidBody::angularRate(const vector& moment) const
+Foam::rigidBody::motionState Foam::rigidBody::accelerationBy
+(
+    const load& l
+) const
 {
     return
-        rotation_ == freedom::all ? vector(free_->inverse(now_.q) & moment)
+    {
+        (translation_ & l.force)/mass_.mass,
+        rotation_ == freedom::all ? vector(free_->inverse(now_.q) & l.moment)
       : rotation_ == freedom::axis
-      ? vector((moment & axis_)/axisInertia_*axis_)
-      : vector(Zero);
+      ? vector((l.moment & axis_)/axisInertia_*axis_)
+      : vector(Zero)
+    };
 }
 
 
@@ -240,24 +246,9 @@ Foam::vector Foam::rigidBody::awayFromMotion
 
 Foam::rigidBody::motionState Foam::rigidBody::acceleration() const
 {
-    motionState a;
-    a.velocity = (translation_ & applied_.force)/mass_.mass;
-    a.spin = angularRate
-    (
-        rotation_ == freedom::all
-      ? vector(applied_.moment - (presentSpin() ^ now_.L))
-      : applied_.moment
-    );
-    return a;
-}
-
-
-Foam::rigidBody::motionState Foam::rigidBody::contactAcceleration() const
-{
-    motionState a;
-    a.velocity = (translation_ & contact_.force)/mass_.mass;
-    a.spin = angularRate(contact_.moment);
-    return a;
+    load l(applied_);
+    if (rotation_ == freedom::all) l.moment -= presentSpin() ^ now_.L;
+    return accelerationBy(l);
 }
 
 
