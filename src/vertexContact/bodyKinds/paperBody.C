@@ -344,9 +344,11 @@ void Foam::paperBody::finishRates(const scalar time, const bool energy)
         symmetry_.project(data_.rates.data(), data_.strideRates);
         if (options_.reconstruction == reconstructionType::full)
         {
+            const label d = dual_.nDim();
             symmetry_.symmetrise
             (
-                data_.rates.data() + data_.offsetRateF(), data_.strideRates
+                data_.rates.data() + data_.offsetRateF(), data_.strideRates,
+                identity(d*d), 2
             );
         }
     }

@@ -126,7 +126,7 @@ void Foam::symmetryConstraint::symmetrise
 ) const
 {
     const label d = nDim_;
-    const label size = rank == 1 ? d : rank == 2 ? d*d : d*d*d;
+    const label size = rank == 1 ? d : d*d*d;
 
     scalar mirror[27];
     for (label k = 0; k < size; ++k) mirror[k] = T[k];
@@ -145,11 +145,8 @@ void Foam::symmetryConstraint::symmetrise
             }
         }
     }
-    if (d == 1)
-    {
-        // The loop above has no pass: each index changes the sign
-        mirror[0] = (rank % 2 ? -T[0] : T[0]);
-    }
+    // In 1D the loop above has no pass: each index changes the sign
+    if (d == 1) mirror[0] = -T[0];
 
     for (label k = 0; k < size; ++k) T[k] = 0.5*(T[k] + mirror[k]);
 }
@@ -434,16 +431,6 @@ void Foam::symmetryConstraint::symmetrise
         }
         for (label c = 0; c < n; ++c) p[place[c]] = T[c];
     }
-}
-
-
-void Foam::symmetryConstraint::symmetrise
-(
-    scalar* data,
-    const label stride
-) const
-{
-    symmetrise(data, stride, identity(nDim_*nDim_), 2);
 }
 
 
