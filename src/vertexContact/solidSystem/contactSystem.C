@@ -305,10 +305,9 @@ void Foam::contactSystem::solve(const scalar time, const bool firstStage)
     {
         contact.remember();
     }
-    if (firstStage)
-    {
-        for (solidBody& body : bodies_) body.contact().status = Zero;
-    }
+    List<scalarField> status(firstStage ? label(0) : bodies_.size());
+    forAll(status, i) status[i] = bodies_[i].contact().status;
+    for (solidBody& body : bodies_) body.contact().status = Zero;
     for (contactInterface& contact : interfaces_)
     {
         contact.find(time);
@@ -316,7 +315,7 @@ void Foam::contactSystem::solve(const scalar time, const bool firstStage)
     limitPushes();
     for (contactInterface& contact : interfaces_)
     {
-        contact.solve(firstStage);
+        contact.solve();
     }
     // In a step of zero length nothing touches
     const bool moves = bodies_.size() && bodies_[0].contact().step() > 0;
@@ -325,18 +324,14 @@ void Foam::contactSystem::solve(const scalar time, const bool firstStage)
         for (leapfrogBody& body : leaping_) body.updateContactVelocity();
         for (contactInterface& contact : interfaces_)
         {
-            contact.correct(firstStage);
+            contact.correct();
         }
     }
-    if (firstStage)
+    forAll(bodies_, i)
     {
-        for (solidBody& body : bodies_)
-        {
-            if (body.contact().on())
-            {
-                body.dual().sharing().max(body.contact().status.data(), 1);
-            }
-        }
+        scalarField& its = bodies_[i].contact().status;
+        if (!firstStage) its = status[i];
+        else if (its.size()) bodies_[i].dual().sharing().max(its.data(), 1);
     }
 }
 

@@ -289,9 +289,9 @@ void Foam::bodyInterface::forOpposite(const visitor& visit) const
 }
 
 
-void Foam::bodyInterface::solve(const bool firstStage)
+void Foam::bodyInterface::solve()
 {
-    if (pairing_->active()) alone_.exchangeForces(firstStage);
+    if (pairing_->active()) alone_.exchangeForces();
 }
 
 

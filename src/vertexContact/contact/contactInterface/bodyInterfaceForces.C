@@ -396,7 +396,7 @@ void Foam::bodyInterface::group::startSlides()
 }
 
 
-void Foam::bodyInterface::group::exchangeForces(const bool firstStage)
+void Foam::bodyInterface::group::exchangeForces()
 {
     for (bodyInterface* pair : pairs)
     {
@@ -411,8 +411,8 @@ void Foam::bodyInterface::group::exchangeForces(const bool firstStage)
     for (bodyInterface* pair : pairs)
     {
         const bodyInterface& p = *pair;
-        tell(p.minus_, p.minusCorners_, p.toMinus_, firstStage);
-        tell(p.plus_, p.pairing_->plusCorners(), p.toOwn_, firstStage);
+        tell(p.minus_, p.minusCorners_, p.toMinus_);
+        tell(p.plus_, p.pairing_->plusCorners(), p.toOwn_);
     }
 }
 
@@ -467,7 +467,7 @@ void Foam::bodyInterface::limitPushes(const UList<push>& all, label& place)
 }
 
 
-void Foam::bodyInterface::group::correctForces(const bool firstStage)
+void Foam::bodyInterface::group::correctForces()
 {
     findValues
     (
@@ -483,13 +483,13 @@ void Foam::bodyInterface::group::correctForces(const bool firstStage)
         pair->withNodes([&](auto N) { pair->correctNear<N.value>(); });
         pair->statistics_ = pair->found_;
     }
-    exchangeForces(firstStage);
+    exchangeForces();
 }
 
 
-void Foam::bodyInterface::correct(const bool firstStage)
+void Foam::bodyInterface::correct()
 {
-    if (pairing_->active()) alone_.correctForces(firstStage);
+    if (pairing_->active()) alone_.correctForces();
 }
 
 
@@ -497,8 +497,7 @@ void Foam::bodyInterface::tell
 (
     const contactSide& side,
     const labelList& corners,
-    const UList<nodeAnswer>& answers,
-    const bool newStatus
+    const UList<nodeAnswer>& answers
 )
 {
     solidBody& body = *side.body;
@@ -506,7 +505,7 @@ void Foam::bodyInterface::tell
     forAll(corners, i)
     {
         const label k = corners[i];
-        setState(side, k, answers[i], newStatus);
+        setState(side, k, answers[i]);
         body.contact().add(cornerNode[k], answers[i].nodeForce);
     }
 }

@@ -233,8 +233,7 @@ void Foam::contactInterface::setState
 (
     const contactSide& side,
     const label corner,
-    const contactAnswer& answer,
-    const bool newStatus
+    const contactAnswer& answer
 )
 {
     cornerStates& c = side.body->corners(side.patchi);
@@ -246,10 +245,7 @@ void Foam::contactInterface::setState
     {
         out.force[node] += answer.force;
         out.area[node] += answer.area;
-        if (newStatus)
-        {
-            out.status[node] = max(out.status[node], answer.status);
-        }
+        out.status[node] = max(out.status[node], answer.status);
     }
 }
 

@@ -451,23 +451,23 @@ void Foam::generalInterface::limitPushes
 }
 
 
-void Foam::generalInterface::solve(const bool firstStage)
+void Foam::generalInterface::solve()
 {
     if (variational())
     {
-        acting_.exchangeForces(firstStage);
+        acting_.exchangeForces();
     }
     else
     {
-        for (bodyInterface* part : acting_.pairs) part->solve(firstStage);
+        for (bodyInterface* part : acting_.pairs) part->solve();
     }
     collect();
 }
 
 
-void Foam::generalInterface::correct(const bool firstStage)
+void Foam::generalInterface::correct()
 {
-    acting_.correctForces(firstStage);
+    acting_.correctForces();
     collect();
 }
 

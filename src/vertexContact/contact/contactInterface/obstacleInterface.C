@@ -328,7 +328,7 @@ void Foam::obstacleInterface::setObstacle
 }
 
 
-void Foam::obstacleInterface::correct(const bool firstStage)
+void Foam::obstacleInterface::correct()
 {
     solidBody& body = *side_.body;
     const dualPatch& patch = side_.geometry();
@@ -336,7 +336,7 @@ void Foam::obstacleInterface::correct(const bool firstStage)
     {
         const label k = planes_[i].corner;
         const contactLaw::problem& p = problems_[i];
-        setState(side_, k, answer(p, p.area), firstStage);
+        setState(side_, k, answer(p, p.area));
         if (p.result.state != acousticRiemann::status::open)
         {
             body.contact().add(patch.cornerNode[k], p.area*p.result.t);
@@ -642,7 +642,7 @@ void Foam::obstacleInterface::limitPushes(const UList<push>& all, label& place)
 }
 
 
-void Foam::obstacleInterface::solve(const bool firstStage)
+void Foam::obstacleInterface::solve()
 {
     if (planes_.empty()) return;
 
@@ -654,7 +654,7 @@ void Foam::obstacleInterface::solve(const bool firstStage)
         const contactLaw::problem& p = problems_[i];
         count(p, width_[k], depth[k], p.area, p.area);
     }
-    correct(firstStage);
+    correct();
 }
 
 

@@ -92,7 +92,7 @@ void Foam::paperBodyInterface::setProblems()
 }
 
 
-void Foam::paperBodyInterface::addFluxes(const bool firstStage)
+void Foam::paperBodyInterface::addFluxes()
 {
     cornerStates& M = minus_.body->corners(minus_.patchi);
     cornerStates& P = plus_.body->corners(plus_.patchi);
@@ -124,7 +124,7 @@ void Foam::paperBodyInterface::addFluxes(const bool firstStage)
         const contactAnswer toMinus(answer(p, minusForce));
         const contactAnswer toPlus(answer(q, plusForce));
 
-        setState(minus_, minusCorners_[o], toMinus, firstStage);
+        setState(minus_, minusCorners_[o], toMinus);
         contactAnswer& own = answers_[over.plus.corner[0]];
         own += toPlus;
 
@@ -154,7 +154,7 @@ void Foam::paperBodyInterface::addFluxes(const bool firstStage)
     forAll(corners, c)
     {
         const fluxAnswer& told = answers_[c];
-        setState(plus_, corners[c], told, firstStage);
+        setState(plus_, corners[c], told);
         paperContact::addFlux
         (
             P, corners[c], told.tractionFlux, told.velocityFlux
@@ -208,7 +208,7 @@ void Foam::paperBodyInterface::remember()
 }
 
 
-void Foam::paperBodyInterface::solve(const bool firstStage)
+void Foam::paperBodyInterface::solve()
 {
     if (!pairing_->active()) return;
 
@@ -216,7 +216,7 @@ void Foam::paperBodyInterface::solve(const bool firstStage)
     send();
     setProblems();
     solveProblems();
-    addFluxes(firstStage);
+    addFluxes();
 }
 
 

@@ -40,7 +40,7 @@ void Foam::paperObstacleInterface::findForces()
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::paperObstacleInterface::solve(const bool firstStage)
+void Foam::paperObstacleInterface::solve()
 {
     if (planes_.empty()) return;
 
@@ -55,7 +55,7 @@ void Foam::paperObstacleInterface::solve(const bool firstStage)
         count(p, width_[k], depth[k], p.area, p.area);
         statistics_.frictionPower += p.area*paperContact::slipPower(p);
         const contactAnswer told(answer(p, p.area));
-        setState(side_, k, told, firstStage);
+        setState(side_, k, told);
         if (p.result.state != acousticRiemann::status::open)
         {
             paperContact::addFlux
