@@ -205,16 +205,6 @@ Foam::vector Foam::contactPairing::gapDirection(const dictionary& dict) const
 }
 
 
-void Foam::contactPairing::checkKeywords
-(
-    const dictionary& dict,
-    const keywordList& own
-)
-{
-    dictionaryCheck::onlyKeywords(dict, commonKeywords() + own);
-}
-
-
 Foam::keywordList Foam::contactPairing::directionKeywords()
 {
     return
@@ -313,16 +303,7 @@ Foam::autoPtr<Foam::contactPairing> Foam::contactPairing::New
         dictionaryCheck::readOptional<word>(dict, commonKeywords(), "pairing")
     );
 
-    vertexContactLookupConstructor(contactPairing, dictionary, pairingType)
-
-    if (!constructorFound)
-    {
-        dictionaryCheck::unknownModel
-        (
-            dict, "pairing", pairingType,
-            dictionaryConstructorTablePtr_->sortedToc()
-        );
-    }
+    findListedModel(contactPairing, dict, "pairing", pairingType)
     if (minus == plus && pairingType != "nearestFace")
     {
         FatalIOErrorInFunction(dict)

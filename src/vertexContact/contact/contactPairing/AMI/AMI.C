@@ -8,6 +8,7 @@
 #include "contactSurface.H"
 #include "scalarRecord.H"
 #include "solidBody.H"
+#include "dictionaryCheck.H"
 #include "AMIPatchToPatchInterpolation.H"
 #include "faceAreaIntersect.H"
 #include "pointTree.H"
@@ -138,7 +139,7 @@ Foam::contactPairings::AMI::AMI
 :
     contactPairing(minus, plus)
 {
-    checkKeywords(dict, keywords());
+    dictionaryCheck::onlyKeywords(dict, commonKeywords() + keywords());
     const vector direction(gapDirection(dict));
 
     const medianDual& dual = minus.body->dual();

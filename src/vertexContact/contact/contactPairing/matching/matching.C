@@ -6,6 +6,7 @@
 
 #include "matching.H"
 #include "solidBody.H"
+#include "dictionaryCheck.H"
 #include "globalIndex.H"
 #include "pointTree.H"
 #include "HashSet.H"
@@ -86,7 +87,7 @@ Foam::contactPairings::matching::matching
 :
     contactPairing(minus, plus)
 {
-    checkKeywords(dict, keywords());
+    dictionaryCheck::onlyKeywords(dict, commonKeywords() + keywords());
     const vector direction(gapDirection(dict));
 
     // Corners of both sides in the plane across the gap

@@ -370,7 +370,7 @@ Foam::contactPairings::nearestFace::nearestFace
     minusMotion_(minus),
     plusMotion_(plus)
 {
-    checkKeywords(dict, keywords());
+    dictionaryCheck::onlyKeywords(dict, commonKeywords() + keywords());
     updateDistance_ = dictionaryCheck::readOptional
     (
         dict, keywords(), "updateDistance", dimless
