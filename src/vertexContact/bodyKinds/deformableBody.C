@@ -122,14 +122,13 @@ Foam::symmTensor Foam::deformableBody::plasticPart
 void Foam::deformableBody::setElasticVolume(const symmTensorField& strain)
 {
     const initialStretch& initial = material_->initial();
-    const labelList& point = dual_.nodePoint();
     tensorField F0(dual_.nNodes());
     scalar change = 0;
     forAll(F0, a)
     {
         const tensor given(initial.on() ? initial.value(a) : tensor::I);
         const scalar J = det(deformationGradient(a))*det(given);
-        const scalar ratio = std::exp(tr(strain[point[a]]))/J;
+        const scalar ratio = std::exp(tr(strain[a]))/J;
         F0[a] = std::cbrt(ratio)*given;
         change = max(change, mag(ratio - 1));
     }
@@ -146,7 +145,6 @@ void Foam::deformableBody::readPlasticState(const bool undeformed)
     const label d = dual_.nDim();
     const label n = dual_.nNodes();
     const FixedList<label, 3>& dir = dual_.directions();
-    const labelList& point = dual_.nodePoint();
 
     // Also where this processor has no node of the body
     fileName CFile;
@@ -170,7 +168,7 @@ void Foam::deformableBody::readPlasticState(const bool undeformed)
     }
     if (elastic.valid() && data_.variational)
     {
-        setElasticVolume(elastic().primitiveField());
+        setElasticVolume(elastic());
     }
     const auto strain = readIfPresent<scalar>("epsilonPEq", dimless);
     if (material_->initialTemperature() > 0)
@@ -179,7 +177,7 @@ void Foam::deformableBody::readPlasticState(const bool undeformed)
         const auto T = readIfPresent<scalar>("pointT", dimTemperature, &file);
         for (label a = 0; a < n && T.valid(); ++a)
         {
-            s.temperature[a] = T().primitiveField()[point[a]];
+            s.temperature[a] = T()[a];
             if (!(s.temperature[a] > 0))
             {
                 FatalFileErrorInFunction(file)
@@ -205,7 +203,7 @@ void Foam::deformableBody::readPlasticState(const bool undeformed)
     {
         if (C.valid())
         {
-            const symmTensor& given = C().primitiveField()[point[a]];
+            const symmTensor& given = C()[a];
             if
             (
                 !(mag(det(given) - 1) <= roundedDeterminant)
@@ -215,7 +213,7 @@ void Foam::deformableBody::readPlasticState(const bool undeformed)
             {
                 FatalFileErrorInFunction(CFile)
                     << "Keyword 'internalField': CpInv is " << given << " at "
-                    << mesh_.points()[point[a]] << ", with the determinant "
+                    << meshPoint(a) << ", with the determinant "
                     << det(given) << ": it must be positive definite, with the "
                     << "determinant 1." << nl
                     << "Give a change of volume by the field F0"
@@ -225,20 +223,10 @@ void Foam::deformableBody::readPlasticState(const bool undeformed)
         }
         else if (elastic.valid())
         {
-            store
-            (
-                a,
-                plasticPart
-                (
-                    elastic().primitiveField()[point[a]], a, elasticFile
-                )
-            );
-        }
-        if (strain.valid())
-        {
-            s.epsilonPEq[a] = strain().primitiveField()[point[a]];
+            store(a, plasticPart(elastic()[a], a, elasticFile));
         }
     }
+    if (strain.valid()) s.epsilonPEq = strain();
 
     fileName shareFile;
     const auto share =
@@ -247,7 +235,7 @@ void Foam::deformableBody::readPlasticState(const bool undeformed)
     {
         s.hourglassShare[a] =
             share.valid()
-          ? share().primitiveField()[point[a]]
+          ? share()[a]
           : material_->hourglassShare(s, a);
         if (!(s.hourglassShare[a] >= 0 && s.hourglassShare[a] <= 1))
         {
@@ -280,7 +268,7 @@ void Foam::deformableBody::readPlasticState(const bool undeformed)
         FatalFileErrorInFunction(file)
             << "Keyword 'internalField': the stress at the start is beyond the "
             << "yield stress. The von Mises stress (Kirchhoff) is "
-            << stress.first() << " Pa at " << mesh_.points()[point[a]]
+            << stress.first() << " Pa at " << meshPoint(a)
             << ", and at most " << stress.second() << " Pa is valid." << nl
             << "Reduce "
             <<

@@ -100,15 +100,14 @@ void Foam::paperBody::readDeformation
     conservedState& s = data_.state;
     const label d = dual_.nDim();
     const FixedList<label, 3>& dir = dual_.directions();
-    const labelList& point = dual_.nodePoint();
     const auto H =
         s.solvesH
       ? readIfPresent<tensor>("H", dimless)
-      : autoPtr<pointTensorField>();
+      : autoPtr<tensorField>();
     const auto J =
         s.solvesJ
       ? readIfPresent<scalar>("J", dimless)
-      : autoPtr<pointScalarField>();
+      : autoPtr<scalarField>();
 
     const label out = d == 2 ? 3 - dir[0] - dir[1] : 0;
     for (label a = 0; a < dual_.nNodes(); ++a)
@@ -116,14 +115,14 @@ void Foam::paperBody::readDeformation
         findKinematics(a);
         if (H.valid())
         {
-            const tensor& given = H().primitiveField()[point[a]];
+            const tensor& given = H()[a];
             if (d == 2) s.H[a] = given[4*out];
             for (label k = 0; d == 3 && k < 9; ++k)
             {
                 s.H[9*a + placeH(k)] = given[k];
             }
         }
-        if (J.valid()) s.J[a] = J().primitiveField()[point[a]];
+        if (J.valid()) s.J[a] = J()[a];
     }
 }
 

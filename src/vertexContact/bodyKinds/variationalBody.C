@@ -46,8 +46,7 @@ void Foam::variationalBody::readDeformation(const bool, const bool)
             for (label i = 0; i < d; ++i)
             {
                 scheme_->acceleration()[a*d + i] =
-                    rush().primitiveField()
-                    [dual_.nodePoint()[a]][dual_.directions()[i]];
+                    rush()[a][dual_.directions()[i]];
             }
         }
     }

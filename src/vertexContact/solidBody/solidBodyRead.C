@@ -32,11 +32,7 @@ constexpr Foam::scalar largestRemoved = 1e-10;
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<class Type>
-Foam::autoPtr
-<
-    Foam::GeometricField<Type, Foam::pointPatchField, Foam::pointMesh>
->
-Foam::solidBody::readIfPresent
+Foam::autoPtr<Foam::Field<Type>> Foam::solidBody::readIfPresent
 (
     const word& name,
     const dimensionSet& dims,
@@ -60,7 +56,7 @@ Foam::solidBody::readIfPresent
     else
     {
         file = regionFiles::sharedField(name, mesh_);
-        if (file.empty()) return field;
+        if (file.empty()) return autoPtr<Field<Type>>();
 
         const dictionary dict(regionFiles::readShared(file));
         field.reset
@@ -102,7 +98,10 @@ Foam::solidBody::readIfPresent
             }
         }
     }
-    return field;
+    return autoPtr<Field<Type>>
+    (
+        new Field<Type>(field->primitiveField(), dual_.nodePoint())
+    );
 }
 
 
@@ -162,7 +161,7 @@ Foam::initialStretch Foam::solidBody::readInitialStretch
     tensorField local(dual_.nNodes());
     forAll(local, a)
     {
-        const tensor& F0 = field->primitiveField()[dual_.nodePoint()[a]];
+        const tensor& F0 = field()[a];
         const char* wrong = det(F0) > 0 ? nullptr : "its determinant must be "
             "positive";
         for (label i = 0; i < 3; ++i)
@@ -198,9 +197,7 @@ void Foam::solidBody::readState()
 {
     conservedState& s = data_.state;
     const label d = dual_.nDim();
-    const label n = dual_.nNodes();
     const FixedList<label, 3>& dir = dual_.directions();
-    const labelList& point = dual_.nodePoint();
 
     if (pointU_.dimensions() != dimVelocity)
     {
@@ -256,32 +253,21 @@ void Foam::solidBody::readState()
         }
     };
     warnLost(pointU_.primitiveField(), data_.cp, "velocity", "m/s");
-    if (D.valid())
-    {
-        warnLost
-        (
-            D().primitiveField(), mesh_.bounds().mag(), "displacement", "m"
-        );
-    }
+    if (D.valid()) warnLost(D(), mesh_.bounds().mag(), "displacement", "m");
 
-    for (label a = 0; a < n; ++a)
+    const vectorField U(pointU_.primitiveField(), dual_.nodePoint());
+    for (label a = 0; a < dual_.nNodes(); ++a)
     {
         for (label i = 0; i < d; ++i)
         {
             s.lm[a*d + i] =
-                lm.valid()
-              ? lm().primitiveField()[point[a]][dir[i]]
-              : data_.rho*pointU_.primitiveField()[point[a]][dir[i]];
-            if (D.valid())
-            {
-                s.disp[a*d + i] = D().primitiveField()[point[a]][dir[i]];
-            }
+                lm.valid() ? lm()[a][dir[i]] : data_.rho*U[a][dir[i]];
+            if (D.valid()) s.disp[a*d + i] = D()[a][dir[i]];
             if (F.valid())
             {
                 for (label j = 0; j < d; ++j)
                 {
-                    s.F[(a*d + i)*d + j] =
-                        F().primitiveField()[point[a]][3*dir[i] + dir[j]];
+                    s.F[(a*d + i)*d + j] = F()[a][3*dir[i] + dir[j]];
                 }
             }
         }
@@ -320,13 +306,7 @@ void Foam::solidBody::readState()
     if (contact_.on())
     {
         const auto status = readIfPresent<scalar>("contactStatus", dimless);
-        if (status.valid())
-        {
-            for (label a = 0; a < n; ++a)
-            {
-                contact_.status[a] = status().primitiveField()[point[a]];
-            }
-        }
+        if (status.valid()) contact_.status = status();
     }
 }
 
@@ -335,8 +315,7 @@ namespace Foam
 {
 
 #define makeReadIfPresent(Type)                                               \
-    template autoPtr<GeometricField<Type, pointPatchField, pointMesh>>        \
-    solidBody::readIfPresent                                                  \
+    template autoPtr<Field<Type>> solidBody::readIfPresent                    \
     (                                                                         \
         const word&, const dimensionSet&, fileName*                           \
     ) const;

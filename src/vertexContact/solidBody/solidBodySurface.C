@@ -351,14 +351,7 @@ void Foam::solidBody::rememberSlide()
     if (contact_.slide.on()) return;
     contact_.slide.start(dual_.nNodes());
     const auto slide = readIfPresent<vector>("contactSlide", dimLength);
-    if (slide.valid())
-    {
-        forAll(contact_.slide.ways(), a)
-        {
-            contact_.slide.ways()[a] =
-                slide().primitiveField()[dual_.nodePoint()[a]];
-        }
-    }
+    if (slide.valid()) contact_.slide.ways() = slide();
 }
 
 
