@@ -210,6 +210,27 @@ def test_heavy_top(tmp_path, figures):
             E["total:balance"])/E["total:kinetic"][0], 1e-6)
 
 
+def test_probe_of_a_rigid_region(tmp_path, figures):
+    """A probe follows a rigid region in each step, also at a node without
+    contact."""
+    v, spin, end = np.array((1, -2, 0.5)), 3.0, 0.4
+    corner = np.array((0.5, 0.5, 0.5))
+    case = SmallCase(
+        tmp_path, Body(cells=(2, 2, 2), start=(-0.5, -0.5, -0.5),
+                       material={"type": "rigid", "rho": 1},
+                       velocity=spinning((0, 0, 0), (0, 0, spin), v)),
+        end, control={**FIXED, "deltaT": end/100}, preset=DEFAULT,
+        probes={"corner": ("body", corner)}).run()
+    t, D = case.probe("corner", "pointD")
+    _, U = case.probe("corner", "pointU")
+    r = np.vstack([turned(corner, (0, 0, 1), spin*s) for s in t])
+    expected = r - corner + np.outer(t, v)
+    with figures("probe of a free rigid cube") as f:
+        f.atMost("displacement", largest(D.reshape(-1, 3) - expected), 1e-12)
+        f.atMost("velocity", largest(
+            U.reshape(-1, 3) - v - np.cross((0, 0, spin), r)), 1e-12)
+
+
 def test_bounce_keeps_momenta(tmp_path, figures):
     """A spinning rigid cuboid bounces off a free soft block, off centre:
     linear and angular momentum of the pair are conserved, and energy only

@@ -293,7 +293,11 @@ Foam::wordList Foam::bodyFields::names() const
 }
 
 
-Foam::nodalField Foam::bodyFields::field(const word& name) const
+Foam::nodalField Foam::bodyFields::field
+(
+    const word& name,
+    const labelUList& nodes
+) const
 {
     nodalField result;
     const auto one = [&]
@@ -309,13 +313,13 @@ Foam::nodalField Foam::bodyFields::field(const word& name) const
         const label n = pTraits<Type>::nComponents;
         result.nComponents = n;
         result.dimensions.reset(dims);
-        result.values.setSize(n*body_.dual().nNodes());
-        for (label a = 0; a < body_.dual().nNodes(); ++a)
+        result.values.setSize(n*nodes.size());
+        forAll(nodes, k)
         {
-            const Type value(valueOfNode(a));
+            const Type value(valueOfNode(nodes[k]));
             for (label c = 0; c < n; ++c)
             {
-                result.values[n*a + c] = component(value, c);
+                result.values[n*k + c] = component(value, c);
             }
         }
     };

@@ -282,10 +282,14 @@ void Foam::solidBody::write()
 }
 
 
-Foam::nodalField Foam::solidBody::field(const word& name) const
+Foam::nodalField Foam::solidBody::field
+(
+    const word& name,
+    const labelUList& nodes
+) const
 {
     placeAll();
-    return bodyFields(*this).field(name);
+    return bodyFields(*this).field(name, nodes);
 }
 
 

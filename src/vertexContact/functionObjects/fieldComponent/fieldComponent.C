@@ -85,7 +85,7 @@ Foam::List<Foam::fieldComponent> Foam::fieldComponent::read
     {
         const auto dot = given.find('.');
         const word name(given.substr(0, dot), false);
-        const nodalField values(body.field(name));
+        const nodalField values(body.field(name, labelList()));
         if (!values.nComponents)
         {
             FatalIOErrorInFunction(dict)
@@ -151,11 +151,11 @@ Foam::string Foam::fieldComponent::name() const
 Foam::scalar Foam::fieldComponent::value
 (
     const nodalField& field,
-    const label node
+    const label k
 ) const
 {
     const label n = field.nComponents;
-    const scalar* v = field.values.cdata() + n*node;
+    const scalar* v = field.values.cdata() + n*k;
     if (component_ != magnitude) return v[component_];
 
     scalar sum = 0;

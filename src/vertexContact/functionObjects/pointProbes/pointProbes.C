@@ -14,44 +14,19 @@ makeSolidFunctionObject(pointProbes)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::List<Foam::scalar> Foam::functionObjects::pointProbes::values
+Foam::scalarField Foam::functionObjects::pointProbes::values
 (
     const word& field,
     const label node
 ) const
 {
-    const conservedState& s = body_->state();
-    const label d = s.nDim;
-    const auto listOf = [](const auto& v)
-    {
-        List<scalar> components(v.size());
-        forAll(components, c) components[c] = v[c];
-        return components;
-    };
+    const nodalField its(body_->field(field, labelList(1, node)));
 
-    // As the written field: the leapfrog's momenta are half a step earlier
-    if (field == "pointU") return listOf(body_->velocity(node));
-    if (field == "pointD")
-    {
-        return listOf(body_->expand(s.disp.cdata() + node*d));
-    }
-    if (field == "lm") return listOf(body_->expand(s.lm.cdata() + node*d));
-    if (field == "F") return listOf(body_->deformationGradient(node));
-    if (field == "J")
-    {
-        return List<scalar>
-        (
-            1, s.solvesJ ? s.J[node] : det(body_->deformationGradient(node))
-        );
-    }
-
-    const symmTensor sigma(body_->CauchyStress(node));
-    if (field == "sigma") return listOf(sigma);
-    if (field == "sigmaEq")
-    {
-        return List<scalar>(1, std::sqrt(1.5*magSqr(dev(sigma))));
-    }
-    return List<scalar>(1, 0 - tr(sigma)/3);
+    // Of the fields in fieldNames() only J may be none that is written
+    return
+        its.nComponents
+      ? its.values
+      : scalarField(1, det(body_->deformationGradient(node)));
 }
 
 
@@ -214,14 +189,14 @@ bool Foam::functionObjects::pointProbes::writeRow()
 {
     forAll(fields_, f)
     {
-        List<List<scalar>> rows(nodes_.size());
+        List<scalarField> rows(nodes_.size());
         forAll(nodes_, i)
         {
             if (nodes_[i] >= 0) rows[i] = values(fields_[f], nodes_[i]);
         }
         if (Pstream::parRun())
         {
-            List<List<List<scalar>>> all(Pstream::nProcs());
+            List<List<scalarField>> all(Pstream::nProcs());
             all[Pstream::myProcNo()] = rows;
             Pstream::gatherList(all);
             for (const auto& ofRank : all)
@@ -237,7 +212,7 @@ bool Foam::functionObjects::pointProbes::writeRow()
         {
             OFstream& os = files_[f];
             os  << runTime_.value();
-            for (const List<scalar>& row : rows)
+            for (const scalarField& row : rows)
             {
                 os  << ' ';
                 if (row.size() > 1) os << '(';

@@ -91,13 +91,13 @@ bool Foam::functionObjects::solidAverages::writeRow()
         const scalarField& weights = selections_[i].weights();
         fieldComponent::visit
         (
-            fields_[i], selections_[i].body(),
+            fields_[i], selections_[i].body(), nodes,
             [&](const fieldComponent& component, const auto& values)
             {
                 scalar sum = 0;
                 forAll(nodes, k)
                 {
-                    sum += weights[k]*component.value(values, nodes[k]);
+                    sum += weights[k]*component.value(values, k);
                 }
                 sums.append(sum/measures_[i]);
             }

@@ -33,14 +33,16 @@ void Foam::functionObjects::solidExtremes::observe()
     forAll(selections_, i)
     {
         const solidBody& body = selections_[i].body();
+        const labelList& nodes = selections_[i].nodes();
         const auto look = [&](const fieldComponent& its, const auto& values)
         {
             extreme* const both = extremes_.data() + next;
             next += 2;
             label least = -1, most = -1;
-            for (const label a : selections_[i].nodes())
+            forAll(nodes, k)
             {
-                const scalar value = its.value(values, a);
+                const label a = nodes[k];
+                const scalar value = its.value(values, k);
                 // In the same step, the first node of those of equal value
                 const auto first = [&](const label than)
                 {
@@ -73,7 +75,7 @@ void Foam::functionObjects::solidExtremes::observe()
                 both[side].reference = body.meshPoint(a);
             }
         };
-        fieldComponent::visit(fields_[i], body, look);
+        fieldComponent::visit(fields_[i], body, nodes, look);
     }
 }
 
