@@ -88,7 +88,7 @@ Foam::scalar Foam::deformableBody::kineticEnergy() const
 
 Foam::scalar Foam::deformableBody::strainEnergy() const
 {
-    return material_->totalStrainEnergy(data_.state, ownedVolume_);
+    return material_->strainEnergy(data_.state, ownedVolume_);
 }
 
 

@@ -136,7 +136,7 @@ void natural(const char* text)
         (
             mag
             (
-                J0*model->totalStrainEnergy(point.s, scalarField(1, scalar(3)))
+                J0*model->strainEnergy(point.s, scalarField(1, scalar(3)))
               - 3*full.energy()
             ) <= 1e-12
         );

@@ -461,23 +461,6 @@ Foam::scalar Foam::HenckyVonMises::commit
 Foam::scalar Foam::HenckyVonMises::strainEnergy
 (
     const conservedState& s,
-    const label node
-) const
-{
-    return withScene(s, [&](auto D, auto stretched)
-    {
-        return energyOf<D.value, stretched.value>
-        (
-            s, node,
-            trialAt<D.value, stretched.value>(initial(), s, node, mu())
-        );
-    });
-}
-
-
-Foam::scalar Foam::HenckyVonMises::totalStrainEnergy
-(
-    const conservedState& s,
     const scalarField& volume
 ) const
 {
