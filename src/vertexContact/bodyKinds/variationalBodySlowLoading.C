@@ -76,7 +76,6 @@ void Foam::variationalBody::setDamping(const dictionary& dict)
 {
     damping_.reset(new massDamping(dict));
     damping_->setTime(time_.value());
-    prepareStop();
 }
 
 

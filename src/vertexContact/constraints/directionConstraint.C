@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "directionConstraint.H"
+#include "prescribedMotion.H"
 #include "DynamicList.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -13,13 +14,13 @@ Foam::directionConstraint::directionConstraint
 (
     const medianDual& dual,
     const symmetryConstraint& mirrors,
-    const List<condition>& conditions,
+    const UList<condition>& conditions,
     const labelList& fixed
 )
 :
     nDim_(dual.nDim()),
     start_(1, label(0)),
-    ofDisplacement_(conditions.size())
+    conditions_(conditions)
 {
     if (conditions.empty()) return;
 
@@ -28,7 +29,6 @@ Foam::directionConstraint::directionConstraint
     scalarField holds(dual.nNodes()*nConditions, Zero);
     forAll(conditions, c)
     {
-        ofDisplacement_[c] = conditions[c].ofDisplacement;
         for (const label a : dual.patches()[conditions[c].patch].cornerNode)
         {
             holds[a*nConditions + c] = 1;
@@ -76,7 +76,7 @@ Foam::directionConstraint::directionConstraint
         for (label c = 0; c < nConditions; ++c)
         {
             if (holds[a*nConditions + c] < 0.5) continue;
-            for (const vector& direction : conditions[c].directions)
+            for (const vector& direction : conditions[c].motion->directions())
             {
                 scalar n[3];
                 for (label j = 0; j < d; ++j)
@@ -132,7 +132,7 @@ void Foam::directionConstraint::impose
                     value +=
                         n[j]
                        *(
-                            ofDisplacement_[c]
+                            conditions_[c].motion->ofDisplacement()
                           ? (values[c*d + j] - u[j])/deltaT
                           : values[c*d + j]
                         );

@@ -46,19 +46,11 @@ Foam::heldNodes::heldNodes
 {
     scalarField first(dual.nNodes(), GREAT);
     DynamicList<condition> complete, partial;
-    DynamicList<directionConstraint::condition> along;
     for (const condition& c : conditions)
     {
         if (!c.motion->complete())
         {
             partial.append(c);
-            along.append
-            (
-                directionConstraint::condition
-                {
-                    c.patch, c.motion->ofDisplacement(), c.motion->directions()
-                }
-            );
             continue;
         }
         for (const label a : dual.patches()[c.patch].cornerNode)
@@ -79,7 +71,7 @@ Foam::heldNodes::heldNodes
         }
     }
     nComplete_ = nodes.size();
-    along_ = directionConstraint(dual, mirrors, along, nodes);
+    along_ = directionConstraint(dual, mirrors, partial, nodes);
     nodes.append(along_.nodes());
 
     nodes_.transfer(nodes);
@@ -88,18 +80,14 @@ Foam::heldNodes::heldNodes
     partial_.transfer(partial);
     completeValues_.setSize(complete_.size()*nDim_, Zero);
     partialValues_.setSize(partial_.size()*nDim_, Zero);
+
+    if (nodes_.empty()) return;
+    placeOf_.setSize(dual.nNodes(), -1);
+    forAll(nodes_, k) placeOf_[nodes_[k]] = k;
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::heldNodes::findPlaces(const label nNodes)
-{
-    if (placeOf_.size() == nNodes) return;
-    placeOf_.setSize(nNodes, -1);
-    forAll(nodes_, k) placeOf_[nodes_[k]] = k;
-}
-
 
 void Foam::heldNodes::impose
 (

@@ -55,7 +55,6 @@ void Foam::solidSystem::readSlowLoading(const dictionary& record)
     }
     relaxation_.reset(new kineticRelaxation(control));
     relaxation_->read(record.subOrEmptyDict("relaxation"));
-    for (leapfrogBody& body : leaping_) body.prepareStop();
 }
 
 
