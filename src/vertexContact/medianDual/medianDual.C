@@ -5,7 +5,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "medianDual.H"
-#include "dualBoundary.H"
 #include "dualElements.H"
 #include "DynamicList.H"
 #include "nativeDual.H"
@@ -336,7 +335,7 @@ Foam::medianDual::medianDual(const polyMesh& mesh, const cellTreatment cells)
     edgeNodes_.transfer(edgeNodes);
     edgeArea_ = scalarField(edgeArea);
 
-    dualBoundary::calculate
+    dualPatch::calculate
     (
         mesh,
         nodes,

@@ -4,7 +4,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "dualBoundary.H"
+#include "dualPatch.H"
 #include "emptyPolyPatch.H"
 #include "nativeDual.H"
 #include "polyMesh.H"
@@ -373,6 +373,45 @@ static void calculatePatch
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+void Foam::dualPatch::calculate
+(
+    const polyMesh& mesh,
+    const solutionNodes& nodes,
+    const scalarField& x,
+    const simplexDecomposition& decomposition,
+    const bool native,
+    PtrList<dualPatch>& patches
+)
+{
+    patches.setSize(mesh.boundaryMesh().size());
+
+    forAll(mesh.boundaryMesh(), patchi)
+    {
+        const polyPatch& patch = mesh.boundaryMesh()[patchi];
+
+        patches.set(patchi, new dualPatch());
+        patches[patchi].nDim = nodes.nDim;
+        patches[patchi].patchIndex = patchi;
+        patches[patchi].name = patch.name();
+        patches[patchi].handedness = nodes.handedness;
+
+        if (!isA<emptyPolyPatch>(patch) && !isA<processorPolyPatch>(patch))
+        {
+            calculatePatch
+            (
+                mesh,
+                patch,
+                nodes,
+                x,
+                decomposition,
+                native,
+                patches[patchi]
+            );
+        }
+    }
+}
+
+
 void Foam::dualPatch::cornerAreas
 (
     const face& f,
@@ -437,47 +476,6 @@ void Foam::dualPatch::cornerAreas
     {
         add(d, d + 1, d + 2, share);
         add(d, d + 2, (d + 3) % 4, share);
-    }
-}
-
-
-// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
-
-void Foam::dualBoundary::calculate
-(
-    const polyMesh& mesh,
-    const solutionNodes& nodes,
-    const scalarField& x,
-    const simplexDecomposition& decomposition,
-    const bool native,
-    PtrList<dualPatch>& patches
-)
-{
-    patches.setSize(mesh.boundaryMesh().size());
-
-    forAll(mesh.boundaryMesh(), patchi)
-    {
-        const polyPatch& patch = mesh.boundaryMesh()[patchi];
-
-        patches.set(patchi, new dualPatch());
-        patches[patchi].nDim = nodes.nDim;
-        patches[patchi].patchIndex = patchi;
-        patches[patchi].name = patch.name();
-        patches[patchi].handedness = nodes.handedness;
-
-        if (!isA<emptyPolyPatch>(patch) && !isA<processorPolyPatch>(patch))
-        {
-            calculatePatch
-            (
-                mesh,
-                patch,
-                nodes,
-                x,
-                decomposition,
-                native,
-                patches[patchi]
-            );
-        }
     }
 }
 
