@@ -10,7 +10,6 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "solidSystem.H"
-#include "nodeMessage.H"
 #include "paperBody.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -69,9 +68,9 @@ void Foam::solidSystem::advance(const int stage, const updatedPart part)
     // that can be evaluated
     if (nBad)
     {
-        wrongNode_ = nodeMessage::here
+        wrongNode_ = firstHere
         (
-            bodies_, [](const solidBody& body) { return body.findBadNode(); }
+            [](const solidBody& body) { return body.findBadNode(); }
         );
         for (paperBody& body : staged_)
         {

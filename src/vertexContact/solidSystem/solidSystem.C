@@ -5,7 +5,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "solidSystem.H"
-#include "nodeMessage.H"
 #include "passTimes.H"
 #include "stopwatch.H"
 #include "writtenTimes.H"
@@ -126,7 +125,7 @@ void Foam::solidSystem::settle(const label nBad)
     );
     if (all.x() > 0)
     {
-        const string where = nodeMessage::firstOf(found.failure);
+        const string where = firstOf(found.failure);
         if (where.size())
         {
             stopOnLostContact(where);
@@ -175,7 +174,7 @@ auto Foam::solidSystem::orWrite(const Function& f) -> decltype(f())
     catch (const IOerror& wrong)
     {
         FatalIOError.throwExceptions(throws);
-        if (runTime_.value() != done_.start && !dry_)
+        if (runTime_.value() != start_ && !dry_)
         {
             runTime_.writeNow();
             writtenTimes::check(*this);
@@ -192,7 +191,7 @@ auto Foam::solidSystem::orWrite(const Function& f) -> decltype(f())
 
 void Foam::solidSystem::startStep()
 {
-    const stopwatch watch(done_.stepSeconds);
+    const stopwatch watch(stepSeconds_);
     const bool otherLaws = orWrite([&]
     {
         return contacts_.readModifiedLaws();
@@ -221,7 +220,7 @@ void Foam::solidSystem::startStep()
     {
         const bool logs = control_.logs
         (
-            done_.steps + 1, startOfStep_ + runTime_.deltaTValue()
+            steps_ + 1, startOfStep_ + runTime_.deltaTValue()
         );
         if (choice_.look(logs)) checkTimeStep();
         choice_.take();
@@ -232,7 +231,7 @@ void Foam::solidSystem::startStep()
 
 void Foam::solidSystem::finishStep()
 {
-    const stopwatch watch(done_.stepSeconds);
+    const stopwatch watch(stepSeconds_);
     const scalar time = runTime_.value();
     if (integrator_.leapfrog())
     {
@@ -245,7 +244,7 @@ void Foam::solidSystem::finishStep()
     }
     checkEnergy();
 
-    ++done_.steps;
+    ++steps_;
 }
 
 

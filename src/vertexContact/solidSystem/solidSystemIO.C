@@ -16,17 +16,24 @@
 
 void Foam::solidSystem::log()
 {
-    if (!control_.logs(done_.steps, runTime_.value())) return;
+    if (!control_.logs(steps_, runTime_.value())) return;
 
     warnings_.checkDeformations(bodies_);
 
     const label nClosed = contacts_.nClosed();
 
+    // At the pace so far
+    const scalar passed = runTime_.value() - start_;
+    const scalar end = runTime_.endTime().value();
+    const scalar left = max(end - runTime_.value(), scalar(0));
+    const scalar secondsLeft =
+        passed > 0 ? std::round(left*clock_.elapsedTime()/passed) : 0;
+
     // With the precision of the files the line would be hard to read
     OSstream& os = Info;
     const int precision = os.precision(6);
 
-    os  << "Step " << done_.steps << "  Time " << runTime_.value()
+    os  << "Step " << steps_ << "  Time " << runTime_.value()
         << " s  deltaT " << runTime_.deltaTValue() << " s  Co "
         <<
         (
@@ -45,8 +52,7 @@ void Foam::solidSystem::log()
     }
     if (relaxation_.valid()) relaxation_->log(os);
     os  << "  contacts " << nClosed << "  left "
-        << done_.secondsLeft(runTime_.value(), runTime_.endTime().value())
-        << " s" << endl;
+        << secondsLeft << " s" << endl;
 
     os.precision(precision);
 }
@@ -173,9 +179,11 @@ void Foam::solidSystem::reportCost(OSstream& os) const
     const int precision = os.precision(6);
 
     const scalar nodes = sum(subCycling::countNodes(bodies_));
-    if (done_.steps)
+    if (steps_)
     {
-        done_.report(os, nodes);
+        os  << "Steps: " << steps_ << " in " << stepSeconds_ << " s, "
+            << 1e6*stepSeconds_/(scalar(steps_)*max(nodes, scalar(1)))
+            << " us per node and step" << nl << nl;
         if (passTimes::wanted())
         {
             scalar bytes = 0;
@@ -183,12 +191,12 @@ void Foam::solidSystem::reportCost(OSstream& os) const
             reduce(bytes, sumOp<scalar>());
             passTimes::report
             (
-                os, done_.stepSeconds, scalar(done_.steps)*nodes, bytes/nodes
+                os, stepSeconds_, scalar(steps_)*nodes, bytes/nodes
             );
         }
     }
 
-    if (done_.steps && bodies_.size() > 1)
+    if (steps_ && bodies_.size() > 1)
     {
         const scalarField stable(choice_.ofBodies());
         os  << "Stable steps at Co 1, at the end:";
@@ -198,11 +206,11 @@ void Foam::solidSystem::reportCost(OSstream& os) const
         os  << nl;
     }
 
-    if (done_.steps) warnings_.reportLaws(bodies_, os);
+    if (steps_) warnings_.reportLaws(bodies_, os);
     warnings_.reportGain();
     if (relaxation_.valid() && !dry_) relaxation_->report(os);
 
-    if (done_.steps) contacts_.reportCost(os, done_.stepSeconds);
+    if (steps_) contacts_.reportCost(os, stepSeconds_);
     os.precision(precision);
 }
 

@@ -244,7 +244,7 @@ Foam::solidSystem::solidSystem(Time& runTime)
     subCycling_.read(record_, runTime.controlDict());
     forAll(bodies_, i) subCycling_.read(i, recordOf(i, record_));
     if (maxEnergyRise_ > 0) accountEnergies();
-    done_.start = runTime_.value();
+    start_ = runTime_.value();
 
     for (solidBody& body : bodies_)
     {
@@ -252,12 +252,12 @@ Foam::solidSystem::solidSystem(Time& runTime)
     }
     if (integrator_.leapfrog())
     {
-        evaluate(done_.start, 0);
+        evaluate(start_, 0);
     }
 
     // Time::run() compares the end with deltaT. Before the first step that is
     // not the solver's own
-    const scalar left = runTime_.endTime().value() - done_.start;
+    const scalar left = runTime_.endTime().value() - start_;
     if (control_.adjusts() && left > 0)
     {
         runTime_.setDeltaT(min(runTime_.deltaTValue(), 0.5*left), false);

@@ -10,7 +10,6 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "solidSystem.H"
-#include "nodeMessage.H"
 #include "systemChecks.H"
 #include "writtenTimes.H"
 #include "OStringStream.H"
@@ -28,6 +27,37 @@ constexpr Foam::scalar asFast = 1 - 1e-12;
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::string Foam::solidSystem::firstHere
+(
+    const std::function<label(const solidBody&)>& find
+) const
+{
+    for (const solidBody& body : bodies_)
+    {
+        const label node = find(body);
+        if (node >= 0)
+        {
+            return "region " + body.name() + ", " + body.whereIs(node);
+        }
+    }
+    return string();
+}
+
+
+Foam::string Foam::solidSystem::firstOf(const string& message)
+{
+    List<string> all(Pstream::nProcs());
+    all[Pstream::myProcNo()] = message;
+    Pstream::gatherList(all);
+    Pstream::scatterList(all);
+    for (const string& s : all)
+    {
+        if (s.size()) return s;
+    }
+    return message;
+}
+
 
 void Foam::solidSystem::checkTimeStep()
 {
@@ -49,16 +79,12 @@ void Foam::solidSystem::checkTimeStep()
         );
     }
     if (choice_.limit() >= leastTimeStep_) return;
-    string what = nodeMessage::firstOf
+    string what = firstOf
     (
-        nodeMessage::here
-        (
-            bodies_,
-            [&](const solidBody& b)
-            {
-                return b.findNodeWithin(choice_.limit());
-            }
-        )
+        firstHere([&](const solidBody& body)
+        {
+            return body.findNodeWithin(choice_.limit());
+        })
     );
     string cures
     (
@@ -92,7 +118,7 @@ void Foam::solidSystem::checkTimeStep()
         }
         cures = "a lower speed, or a smaller minDeltaT.";
     }
-    if (runTime_.value() != done_.start && !dry_)
+    if (runTime_.value() != start_ && !dry_)
     {
         runTime_.writeNow();
     }
@@ -132,7 +158,7 @@ void Foam::solidSystem::stopStep
         dry_ ? "Nothing was written: this is a dry run."
       : "Nothing was written: this was the first step."
     );
-    if (startOfStep_ != done_.start && !dry_)
+    if (startOfStep_ != start_ && !dry_)
     {
         runTime_.writeNow();
         writtenTimes::check(*this);
@@ -152,14 +178,11 @@ void Foam::solidSystem::stopStep
 void Foam::solidSystem::stopOnBadState()
 {
     // Find the place before the state is put back
-    const string where = nodeMessage::firstOf
+    const string where = firstOf
     (
         wrongNode_.size()
       ? wrongNode_
-      : nodeMessage::here
-        (
-            bodies_, [](const solidBody& body) { return body.findBadNode(); }
-        )
+      : firstHere([](const solidBody& body) { return body.findBadNode(); })
     );
     stopStep
     (
@@ -213,19 +236,15 @@ void Foam::solidSystem::checkEnergy()
         if (i == worst) fastest = bodies_[i].largestSpeed();
     }
     reduce(fastest, maxOp<scalar>());
-    const string where = nodeMessage::firstOf
+    const string where = firstOf
     (
-        nodeMessage::here
-        (
-            bodies_,
-            [&](const solidBody& body)
-            {
-                return
-                    &body == &bodies_[worst]
-                  ? body.findNodeFasterThan(fastest*asFast)
-                  : -1;
-            }
-        )
+        firstHere([&](const solidBody& body)
+        {
+            return
+                &body == &bodies_[worst]
+              ? body.findNodeFasterThan(fastest*asFast)
+              : -1;
+        })
     );
     OStringStream os;
     os  << "The energy has risen by " << rise << " J, "
