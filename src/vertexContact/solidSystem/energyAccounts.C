@@ -115,7 +115,7 @@ void Foam::energyAccounts::begin()
     {
         const solidBody& body = bodies_[i];
         if (body.rigid()) continue;
-        roundOff_[i] +=
+        roundOff_[i] =
             roundOff*returnReduce(body.mass(), sumOp<scalar>())
            *sqr(body.material().cp());
     }
