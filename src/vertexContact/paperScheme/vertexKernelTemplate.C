@@ -134,48 +134,42 @@ void vertexKernelTemplate<D, nSJ, R, finite>::addBoundaryGradients
     const scalar* W = d_.W.cdata();
     scalar* grad = d_.grad.data();
     constexpr int wide = strideWidth(sG);
-    constexpr label block = 8;
-    alignas(64) scalar values[block][sG];
+    alignas(64) scalar values[4][sG];
 
     patch.forFaces([&](const dualPatch::face& f)
     {
         const label start = f.start, nf = f.size;
         const scalar* w = patch.weightVectors.cdata() + D*f.firstWeight;
 
-        for (label j0 = 0; j0 < nf; j0 += block)
+        // Values at the corners: velocity fluxes, nodal stresses
+        for (label j = 0; j < nf; ++j)
         {
-            const label jEnd = min(nf, j0 + block);
-
-            // Values at the corners: velocity fluxes, nodal stresses
-            for (label j = j0; j < jEnd; ++j)
+            const label b = patch.cornerNode[start + j];
+            scalar* u = values[j];
+            for (int k = 0; k < sG; k += wide)
             {
-                const label b = patch.cornerNode[start + j];
-                scalar* u = values[j - j0];
+                rowAt<wide>(u + k) = rowAt<wide>(W + b*sW + k);
+            }
+            if (c)
+            {
+                for (int i = 0; i < D; ++i) u[i] = c->vB[start + j][dir[i]];
+            }
+        }
+
+        for (label p = 0; p < nf; ++p)
+        {
+            const label a = patch.cornerNode[start + p];
+            const scalar perV = 1/V[a];
+            scalar* g = grad + label(sG)*D*a;
+            for (label j = 0; j < nf; ++j)
+            {
+                const scalar* wpj = w + D*(p*nf + j);
                 for (int k = 0; k < sG; k += wide)
                 {
-                    rowAt<wide>(u + k) = rowAt<wide>(W + b*sW + k);
-                }
-                if (c)
-                {
-                    for (int i = 0; i < D; ++i) u[i] = c->vB[start + j][dir[i]];
-                }
-            }
-
-            for (label p = 0; p < nf; ++p)
-            {
-                const label a = patch.cornerNode[start + p];
-                const scalar perV = 1/V[a];
-                scalar* g = grad + label(sG)*D*a;
-                for (label j = j0; j < jEnd; ++j)
-                {
-                    const scalar* wpj = w + D*(p*nf + j);
-                    for (int k = 0; k < sG; k += wide)
+                    const row<wide> u = rowAt<wide>(values[j] + k);
+                    for (int i = 0; i < D; ++i)
                     {
-                        const row<wide> u = rowAt<wide>(values[j - j0] + k);
-                        for (int i = 0; i < D; ++i)
-                        {
-                            rowAt<wide>(g + i*sG + k) += u*(perV*wpj[i]);
-                        }
+                        rowAt<wide>(g + i*sG + k) += u*(perV*wpj[i]);
                     }
                 }
             }
