@@ -55,10 +55,10 @@ Foam::schemeOptions::limiterNames
     #undef limiterWord
 });
 
-
-const Foam::wordList Foam::schemeOptions::waveSpeedNames
+const Foam::Enum<bool> Foam::schemeOptions::waveSpeedNames
 ({
-    "linear", "stretched"
+    { false, "linear" },
+    { true, "stretched" },
 });
 
 
@@ -148,16 +148,8 @@ Foam::schemeOptions::schemeOptions
     (
         materialModel::jacobianFormNames, dict, "jacobian", jacobian
     );
-
-    if (dict.found("waveSpeed"))
-    {
-        const word speed(dict.get<word>("waveSpeed"));
-        if (!waveSpeedNames.found(speed))
-        {
-            unknownModel(dict, "waveSpeed", speed, waveSpeedNames);
-        }
-        stretchedWaves = (speed == waveSpeedNames[true]);
-    }
+    stretchedWaves =
+        readEnum(waveSpeedNames, dict, "waveSpeed", stretchedWaves);
 
     if (reconstruction == reconstructionType::none) limiter = limiterType::none;
 }
@@ -249,7 +241,7 @@ Foam::keywordList Foam::schemeOptions::paperKeywords() const
         },
         {
             "waveSpeed", "", waveSpeedNames[stretchedWaves],
-            keywordList::oneOf
+            oneOf
             (
                 waveSpeedNames,
                 "waves of the undeformed, or of the stretched material"

@@ -132,21 +132,12 @@ Foam::vector Foam::rigidBody::readDirections
 {
     if (!dict.found(keyword)) return all ? vector::one : vector::zero;
 
+    const wordList valid({"x", "y", "z"});
     vector is(Zero);
     for (const word& w : dict.get<wordList>(keyword))
     {
-        label which = -1;
-        for (label i = 0; i < 3; ++i)
-        {
-            if (w == vector::componentNames[i]) which = i;
-        }
-        if (which < 0)
-        {
-            dictionaryCheck::unknownModel
-            (
-                dict, keyword, w, wordList({"x", "y", "z"})
-            );
-        }
+        const label which = valid.find(w);
+        if (which < 0) dictionaryCheck::unknownModel(dict, keyword, w, valid);
         is[which] = 1;
     }
     return is;

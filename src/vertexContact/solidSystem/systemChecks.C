@@ -93,23 +93,17 @@ Foam::wordList Foam::systemChecks::regionNames(const Time& runTime)
         }
         names.append(groups[group]);
     }
-    wordHashSet known;
-    forAll(names, i)
+    dictionaryCheck::requireOnce(dict, "regions", names);
+    for (const word& name : names)
     {
-        if (!known.insert(names[i]))
-        {
-            FatalIOErrorInFunction(dict)
-                << "Keyword 'regions': region '" << names[i]
-                << "' is listed twice" << exit(FatalIOError);
-        }
         const fileName mesh
         (
-            runTime.path()/runTime.constant()/names[i]/"polyMesh"
+            runTime.path()/runTime.constant()/name/"polyMesh"
         );
         if (!isDir(mesh) && !Pstream::parRun())
         {
             FatalIOErrorInFunction(dict)
-                << "Keyword 'regions': region '" << names[i]
+                << "Keyword 'regions': region '" << name
                 << "' has no mesh: there is no folder " << mesh
                 << exit(FatalIOError);
         }

@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "solidEnergies.H"
+#include "rankRows.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -104,12 +105,11 @@ bool Foam::functionObjects::solidEnergies::writeRow()
         *energies_ << runTime_.value();
         for (const auto& e : all)
         {
-            *energies_
-                << ' ' << e.kinetic << ' ' << e.swing << ' ' << e.strain
-                << ' ' << e.plasticDissipation
-                << ' ' << e.numericalDissipation
-                << ' ' << e.externalWork << ' ' << e.contactWork
-                << ' ' << e.balance;
+            appendNumbers
+            (
+                *energies_, e.kinetic, e.swing, e.strain, e.plasticDissipation,
+                e.numericalDissipation, e.externalWork, e.contactWork, e.balance
+            );
             if (solids_.damped()) *energies_ << ' ' << e.dampingDissipation;
             if (solids_.relaxes())
             {
@@ -119,11 +119,7 @@ bool Foam::functionObjects::solidEnergies::writeRow()
         *energies_ << ' ' << all.last().frictionDissipation << endl;
 
         *momentum_ << runTime_.value();
-        forAll(p, i)
-        {
-            for (direction c = 0; c < 3; ++c) *momentum_ << ' ' << p[i][c];
-            for (direction c = 0; c < 3; ++c) *momentum_ << ' ' << L[i][c];
-        }
+        forAll(p, i) appendNumbers(*momentum_, p[i], L[i]);
         *momentum_ << endl;
     }
 
