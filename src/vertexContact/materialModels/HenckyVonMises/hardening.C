@@ -8,6 +8,7 @@
 #include "dictionaryCheck.H"
 #include "Function1.H"
 #include "TableBase.H"
+#include <algorithm>
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -154,13 +155,8 @@ Foam::keywordList Foam::hardening::JohnsonCook::keywords()
 
 Foam::label Foam::hardening::table::part(const scalar strain) const
 {
-    label low = 0, high = strains.size();
-    while (high - low > 1)
-    {
-        const label middle = (low + high)/2;
-        (strains[middle] <= strain ? low : high) = middle;
-    }
-    return low;
+    const auto after = std::upper_bound(strains.begin(), strains.end(), strain);
+    return max(label(after - strains.begin()) - 1, label(0));
 }
 
 
