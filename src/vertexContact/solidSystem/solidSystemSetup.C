@@ -267,16 +267,6 @@ Foam::solidSystem::solidSystem(Time& runTime)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::label Foam::solidSystem::findBody(const word& region) const
-{
-    forAll(bodies_, i)
-    {
-        if (bodies_[i].name() == region) return i;
-    }
-    return -1;
-}
-
-
 void Foam::solidSystem::accountEnergies()
 {
     if (accounts_.on()) return;

@@ -67,7 +67,7 @@ Foam::functionObjects::pointProbes::pointProbes
             << dictionaryCheck::listed(regions).c_str() << exit(FatalIOError);
     }
     const word region(dict.getOrDefault<word>("region", regions[0]));
-    const label bodyi = solids_.findBody(region);
+    const label bodyi = regions.find(region);
     if (bodyi < 0)
     {
         dictionaryCheck::unknownModel(dict, "region", region, regions);
