@@ -67,23 +67,6 @@ std::size_t differences(const textLines& a, const textLines& b)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::timeIntegrator Foam::solidSystem::readIntegrator
-(
-    const dictionary& controlDict,
-    const preset& defaults
-)
-{
-    return timeIntegrator
-    (
-        dictionaryCheck::readEnum
-        (
-            timeIntegrator::names, controlDict, "timeIntegrator",
-            defaults.integrator
-        )
-    );
-}
-
-
 Foam::PtrList<Foam::solidBody> Foam::solidSystem::readBodies() const
 {
     const wordList regions(systemChecks::regionNames(runTime_));
@@ -154,22 +137,12 @@ Foam::dictionary Foam::solidSystem::readRecord()
 }
 
 
-Foam::dictionary Foam::solidSystem::recordOf
-(
-    const label bodyi,
-    const dictionary& record
-) const
-{
-    return record.subOrEmptyDict(bodies_[bodyi].recordName());
-}
-
-
 void Foam::solidSystem::readMotions(const dictionary& record)
 {
     const scalar step = record.getOrDefault<scalar>("lastStep", 0);
     forAll(bodies_, i)
     {
-        const dictionary its(recordOf(i, record));
+        const dictionary its(record.subOrEmptyDict(bodies_[i].recordName()));
         const scalar own = its.getOrDefault<scalar>("lastStep", step);
         bodies_[i].setLastStep(own);
         bodies_[i].readRigid(its.subOrEmptyDict("rigid"));
@@ -193,7 +166,14 @@ Foam::solidSystem::solidSystem(Time& runTime)
     runTime_(runTime),
     preset_(runTime.controlDict()),
     control_(runTime, preset_),
-    integrator_(readIntegrator(runTime.controlDict(), preset_)),
+    integrator_
+    (
+        dictionaryCheck::readEnum
+        (
+            timeIntegrator::names, runTime.controlDict(), "timeIntegrator",
+            preset_.integrator
+        )
+    ),
     record_(readRecord()),
     bodies_(readBodies()),
     leaping_
@@ -242,7 +222,10 @@ Foam::solidSystem::solidSystem(Time& runTime)
     accounts_.read(record_);
     choice_.read(record_);
     subCycling_.read(record_, runTime.controlDict());
-    forAll(bodies_, i) subCycling_.read(i, recordOf(i, record_));
+    forAll(bodies_, i)
+    {
+        subCycling_.read(i, record_.subOrEmptyDict(bodies_[i].recordName()));
+    }
     if (maxEnergyRise_ > 0) accountEnergies();
     start_ = runTime_.value();
 
