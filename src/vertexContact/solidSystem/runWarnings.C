@@ -6,7 +6,7 @@
 
 #include "runWarnings.H"
 #include "foldedCells.H"
-#include "nodeMessage.H"
+#include "solidSystem.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -72,7 +72,7 @@ void Foam::runWarnings::checkCells(const PtrList<solidBody>& bodies)
         if (!all) continue;
 
         folded_[i] = true;
-        const string where = nodeMessage::firstOf
+        const string where = solidSystem::firstOf
         (
             folds.empty() ? string() : body.whereIs(node[folds[0]])
         );

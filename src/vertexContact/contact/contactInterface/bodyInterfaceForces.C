@@ -41,10 +41,10 @@ void Foam::bodyInterface::findStates
         s.n = area/s.stretch;
         s.compliance =
             s.stretch
-           *(
-                holding
-              ? body.holdCompliance(side.patchi, k)
-              : body.surfaceCompliance(side.patchi, k)
+           *max
+            (
+                body.surfaceCompliance(side.patchi, k),
+                holding ? body.holdCompliance(side.patchi, k) : scalar(0)
             );
         s.inner = rim.size() && rim[k] ? 0 : 1;
         s.shared = 0;
