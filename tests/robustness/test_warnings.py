@@ -171,6 +171,15 @@ def test_linear_law_blows_up(tmp_path, preset):
     assert "region body, node at" in output, output
 
 
+def test_run_that_has_ended(tmp_path):
+    """Started once more it says why it does nothing."""
+    case = SmallCase(tmp_path/"case", Body((3,)), 0.1, preset=DEFAULT)
+    code, log = case.attempt()
+    assert code == 0 and "No steps" not in log, log
+    code, log = case.attempt()
+    assert code == 0 and "No steps: the run is at 0.1 s" in log, log
+
+
 @pytest.mark.parametrize("cells, ranks", (((3, 3), 1), ((3, 3), 2),
                                           ((3, 3, 3), 2)))
 def test_folded_cells(tmp_path, cells, ranks):

@@ -1,6 +1,8 @@
 """Rigid regions: compared with theory, with obstacles, and with the deformable
 bodies that they touch."""
 
+import re
+
 import numpy as np
 import pytest
 
@@ -1035,3 +1037,21 @@ def test_slender_bar_lands_flat(tmp_path, figures, length):
         f.within("change of the momentum / that without rotation",
                  (p[""][-1] - p[""][0])/(p["()"][-1] - p["()"][0]), 1, 0.05)
         f.atMost("deepest penetration / face", deepest, 0.05)
+
+
+def test_rigid_regions_that_speed_up_together(tmp_path, figures):
+    """They are paired once. The frame in which surfaces slide had the mean
+    displacement of nodes that are not placed in each step: 15 pairings."""
+    solid = {"type": "rigid", "rho": 1, "force": "constant (0.5 0 0)"}
+    case = SmallCase(tmp_path/"case", [
+        Body((6, 6, 6), name=name, start=(0, 1.001*i, 0), material=solid,
+             sides={"bottom" if i else "top": "contact"},
+             velocity=(0.5, -0.01*i, 0)) for i, name in enumerate("ab")],
+        4, {"ab": interface(("a", "top"), ("b", "bottom"),
+                            pairing="nearestFace")},
+        control={"deltaT": 0.005, "writeInterval": 4, **FIXED},
+        preset=DEFAULT)
+    code, log = case.attempt()
+    assert code == 0, log
+    with figures("rigid regions that speed up together") as f:
+        f.equal("pairings", int(re.search(r"in (\d+) pairings", log)[1]), 0)

@@ -124,6 +124,12 @@ int main(int argc, char *argv[])
         return 0;
     }
 
+    if (!runTime.run())
+    {
+        Info<< "No steps: the run is at " << runTime.timeName()
+            << " s, and endTime is " << runTime.endTime().value() << " s"
+            << nl << endl;
+    }
     while (runTime.run())
     {
         // Rates of the current state, and the stable step

@@ -442,6 +442,19 @@ Foam::labelList Foam::rigidRegion::reactingPatches() const
 }
 
 
+Foam::vector Foam::rigidRegion::displacedVolume() const
+{
+    vector first(Zero);
+    forAll(ownedVolume_, a)
+    {
+        first += ownedVolume_[a]*(dual_.position(a) - rigid_->start());
+    }
+    return
+        volume()*rigid_->shift()
+      + ((rigid_->rotation() - tensor::I) & first);
+}
+
+
 void Foam::rigidRegion::placeAll() const
 {
     rigidRegion& self = const_cast<rigidRegion&>(*this);

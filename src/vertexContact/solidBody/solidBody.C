@@ -113,6 +113,19 @@ void Foam::solidBody::reportBytes(Ostream& os) const
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::vector Foam::solidBody::displacedVolume() const
+{
+    vector all(Zero);
+    forAll(ownedVolume_, a)
+    {
+        all +=
+            ownedVolume_[a]
+           *expand(data_.state.disp.cdata() + a*dual_.nDim());
+    }
+    return all;
+}
+
+
 Foam::tensor Foam::solidBody::deformationGradient(const label node) const
 {
     const label d = dual_.nDim();

@@ -222,7 +222,8 @@ Foam::contactSystem::contactSystem
     leaping_(leaping),
     iterations_(iterations),
     oldStatus_(bodies.size()),
-    oldSlide_(bodies.size())
+    oldSlide_(bodies.size()),
+    firstStatus_(bodies.size())
 {}
 
 
@@ -305,9 +306,12 @@ void Foam::contactSystem::solve(const scalar time, const bool firstStage)
     {
         contact.remember();
     }
-    List<scalarField> status(firstStage ? label(0) : bodies_.size());
-    forAll(status, i) status[i] = bodies_[i].contact().status;
-    for (solidBody& body : bodies_) body.contact().status = Zero;
+    forAll(bodies_, i)
+    {
+        scalarField& its = bodies_[i].contact().status;
+        if (!firstStage) firstStatus_[i] = its;
+        its = Zero;
+    }
     for (contactInterface& contact : interfaces_)
     {
         contact.find(time);
@@ -330,7 +334,7 @@ void Foam::contactSystem::solve(const scalar time, const bool firstStage)
     forAll(bodies_, i)
     {
         scalarField& its = bodies_[i].contact().status;
-        if (!firstStage) its = status[i];
+        if (!firstStage) its = firstStatus_[i];
         else if (its.size()) bodies_[i].dual().sharing().max(its.data(), 1);
     }
 }

@@ -416,18 +416,10 @@ Foam::contactSurface::bodyMotions(const UList<contactSide>& sides)
             all[i] = all[i - 1];
             continue;
         }
-        const medianDual& dual = body.dual();
-        const scalarField& volume = dual.nodeVolume();
-        const scalar* disp = body.state().disp.cdata();
-        const label d = dual.nDim();
         all[i].momentum = body.linearMomentum();
         all[i].mass = body.mass();
-        forAll(volume, a)
-        {
-            if (!dual.sharing().owned()[a]) continue;
-            all[i].displaced += volume[a]*body.expand(disp + a*d);
-            all[i].volume += volume[a];
-        }
+        all[i].displaced = body.displacedVolume();
+        all[i].volume = body.volume();
     }
     combineRowsOnAll(all, plusEqOp<scalar>());
     forAll(all, i)
